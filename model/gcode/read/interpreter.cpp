@@ -219,24 +219,20 @@ void Interpreter::go_home(const Statement& statement) {
         *p, in_quotes(p->text) + " beside G30: a third or fourth reference point is stated nowhere",
         "P2, the second");
   in_joints([&] { move_home(statement); });
-  turn_home(statement);
   cancel_length(statement, state_);
 }
 
+/// All axes that are named go at once, to the point and from there. Only an axis that stays: as
+/// LinuxCNC, two motions of no length.
 void Interpreter::move_home(const Statement& statement) {
-  Motion motion;
-  motion.plane = state_.modal.plane;
-  if (statement.has_rotary() && !statement.has_axes()) {
-    // Only an axis that stays: as LinuxCNC, two motions of no length.
-    motion.to = state_.position_mm;
-    emit(statement, motion);
-    return emit(statement, motion);
-  }
-  motion.to = state_.position_mm = waypoint_of(statement, state_);
-  emit(statement, motion);
-  motion.to = state_.position_mm = reference_end(statement, state_, assumed_);
-  check_park(statement);
-  emit(statement, motion);
+  const bool stays = statement.has_rotary() && !statement.has_axes();
+  const RotaryAngles by_deg = rotary_end(statement, state_),
+                     home_deg = turn_home(statement, by_deg);
+  const bool was_parked = state_.adrift[2];
+  go_to(statement, stays ? state_.position_mm : waypoint_of(statement, state_), by_deg, true);
+  const Vec3 end_mm = stays ? state_.position_mm : reference_end(statement, state_, assumed_);
+  check_park(statement, was_parked, home_deg);
+  go_to(statement, end_mm, home_deg, true);
 }
 
 void Interpreter::move(const Statement& statement, int code) {
@@ -270,7 +266,7 @@ void Interpreter::move_straight(const Statement& statement, int code) {
   const auto carry_out = [&] {
     if (turns(statement)) return turn(statement, code);
     const Motion motion = straight_motion(statement, state_, code == 0, assumed_);
-    check_park(statement);
+    check_park(statement, true, state_.orientation.angles_deg);
     emit(statement, motion);
   };
   in_joints_if(statement.g(GGroup::non_modal) == 530, carry_out);

@@ -86,8 +86,9 @@ class Interpreter {
                     const TurningMotion& turn) const;
   void turn_in_joints(const Statement& statement, const RotaryAngles& to_deg, bool rapid);
   void set_tip_control(const Statement& statement);
-  void turn_home(const Statement& statement);
-  void check_park(const Statement& statement) const;
+  void go_to(const Statement& statement, const Vec3& to_mm, const RotaryAngles& to_deg, bool rapid);
+  RotaryAngles turn_home(const Statement& statement, const RotaryAngles& by_deg);
+  void check_park(const Statement& statement, bool was_parked, const RotaryAngles& to_deg) const;
   /// Does `work` while places move X, Y and Z of the machine, whatever the control makes of them.
   template <typename Work>
   void in_joints(const Work& work) {

@@ -127,9 +127,10 @@ void Interpreter::turn(const Statement& statement, int code) {
   turn.from_mm = state_.frame.to_machine(from_mm);
   turn.from_deg = state_.orientation.angles_deg;
   turn.to_deg = rotary_end(statement, state_);
-  const bool straight = code == 0 || code == 10;
+  const bool straight = code == 0 || code == 10, was_parked = state_.adrift[2];
   const Motion motion = straight ? straight_motion(statement, state_, code == 0, assumed_)
                                  : arc_motion(statement, state_, code == 30);
+  check_park(statement, was_parked, turn.to_deg);
   emit(statement, motion);
   turn.to_mm = state_.frame.to_machine(state_.position_mm);
   list_turn(statement, program_.motions.back(), turn);
@@ -138,23 +139,29 @@ void Interpreter::turn(const Statement& statement, int code) {
   note_named(statement);
 }
 
+/// Straight to `to_mm` in the active frame, while the rotary axes go to `to_deg`.
+void Interpreter::go_to(const Statement& statement, const Vec3& to_mm, const RotaryAngles& to_deg,
+                        bool rapid) {
+  TurningMotion turn;
+  turn.frame = state_.motion_frame();
+  turn.from_mm = state_.frame.to_machine(state_.position_mm);
+  turn.from_deg = state_.orientation.angles_deg;
+  turn.to_deg = to_deg;
+  Motion motion;
+  motion.kind = rapid ? MotionKind::rapid : MotionKind::feed;
+  motion.plane = state_.modal.plane;
+  motion.to = state_.position_mm = to_mm;
+  emit(statement, motion);
+  if (turn.to_deg == turn.from_deg) return;
+  turn.to_mm = state_.frame.to_machine(to_mm);
+  list_turn(statement, program_.motions.back(), turn);
+}
+
 /// The rotary axes alone, while X, Y and Z stand still on the machine whatever the control counts.
 void Interpreter::turn_in_joints(const Statement& statement, const RotaryAngles& to_deg,
                                  bool rapid) {
   if (to_deg == state_.orientation.angles_deg) return;
-  in_joints([&] {
-    TurningMotion turn;
-    turn.frame = state_.motion_frame();
-    turn.from_mm = turn.to_mm = state_.frame.to_machine(state_.position_mm);
-    turn.from_deg = state_.orientation.angles_deg;
-    turn.to_deg = to_deg;
-    Motion motion;
-    motion.kind = rapid ? MotionKind::rapid : MotionKind::feed;
-    motion.plane = state_.modal.plane;
-    motion.to = state_.position_mm;
-    emit(statement, motion);
-    list_turn(statement, program_.motions.back(), turn);
-  });
+  in_joints([&] { go_to(statement, state_.position_mm, to_deg, rapid); });
 }
 
 void Interpreter::set_tip_control(const Statement& statement) {
@@ -164,28 +171,34 @@ void Interpreter::set_tip_control(const Statement& statement) {
   set_dynamic_offset(statement, state_);
 }
 
-/// G28 and G30 send the rotary axes that they name, or all where they name none, to where G28.1 and
-/// G30.1 found them, or to 0.
-void Interpreter::turn_home(const Statement& statement) {
+/// Where G28 and G30 send the rotary axes that they name, or all where they name none, by way of
+/// `by_deg`: to where G28.1 and G30.1 found them, or to 0.
+RotaryAngles Interpreter::turn_home(const Statement& statement, const RotaryAngles& by_deg) {
   const Orientation& orientation = state_.orientation;
-  if (!orientation.machine) return;
+  RotaryAngles home_deg = by_deg;
+  if (!orientation.machine) return home_deg;
   const bool all = !statement.has_axes() && !statement.has_rotary();
   const ReferencePoint& point = state_.reference[statement.g(GGroup::non_modal) == 280 ? 0 : 1];
-  RotaryAngles by = rotary_end(statement, state_), home = by;
   for (const RotaryAxis& axis : orientation.machine->axes)
-    if (all || statement.word(axis.word)) home[axis.index()] = point.angles_deg[axis.index()];
-  const bool moves = by != orientation.angles_deg || home != by;
-  if (moves) require_length(statement, *statement.g_word(GGroup::non_modal), state_);
-  turn_in_joints(statement, by, true);
-  turn_in_joints(statement, home, true);
-  if (moves && !point.from_program)
+    if (all || statement.word(axis.word)) home_deg[axis.index()] = point.angles_deg[axis.index()];
+  if (by_deg == orientation.angles_deg && home_deg == by_deg) return home_deg;
+  require_length(statement, *statement.g_word(GGroup::non_modal), state_);
+  if (!point.from_program)
     assumed_.add(statement.line(), "the reference points of the rotary axes are taken to be at 0");
+  return home_deg;
 }
 
 /// A head that is turned takes Z aside as it goes up; lying down, it takes the tool nowhere above.
-void Interpreter::check_park(const Statement& statement) const {
+/// And while Z is on its way to a place that nothing states, axes that turn to `to_deg` meanwhile
+/// may meet the tool anywhere.
+void Interpreter::check_park(const Statement& statement, bool was_parked,
+                             const RotaryAngles& to_deg) const {
   const Orientation& orientation = state_.orientation;
   if (!state_.adrift[2] || !orientation.machine) return;
+  if (!was_parked && to_deg != orientation.angles_deg)
+    statement.fail(statement.blamed(), "axes turn while Z is sent to a place that nothing states",
+                   "Z in a block of its own before it, or the reference point ([machine] home) and "
+                   "the work offset in the job");
   constexpr double kLeast = 0.1;  // of the way goes up along the tool: 84 degrees
   if (orientation.machine->head(orientation.angles_deg).direction({0, 0, 1}).z >= kLeast) return;
   statement.fail(statement.blamed(),

@@ -157,9 +157,33 @@ TEST_CASE("reference points of rotary axes are at 0", "[unit][gcode]") {
   CHECK(program.turns.back().turn.to_deg == RotaryAngles{});
   CHECK(program.turns.back().parked);
   CHECK(assumes(program, "the reference points of the rotary axes are taken to be at 0"));
-  const Program all = read_text(text + "G28\n", trunnion());
+  const Program all = read_text(text + "G91 G28 Z0\nG28\n", trunnion());
   CHECK(all.turns.back().turn.to_deg == RotaryAngles{});
   CHECK(read_text(text + "G28 Z300\n", trunnion()).turns.size() == 1);
+}
+
+TEST_CASE("axes that go home beside Z turn while it is on its way", "[unit][gcode]") {
+  MachineSetup machine = trunnion();
+  machine.home_mm = Vec3{0, 0, 400};
+  const std::string text = kBegin + "G0 A30 C70\nZ5\n";
+  for (const std::string home : {"G91 G28 Z0 A0\n", "G53 G0 Z0 A0\n"}) {
+    CAPTURE(home);
+    const Program program = read_text(text + home, machine);
+    const AxisTurn& turn = program.turns.back();
+    CHECK(turn.turn.from_deg == RotaryAngles{30, 0, 70});
+    CHECK(turn.turn.to_deg == RotaryAngles{0, 0, 70});
+    CHECK_FALSE(turn.parked);
+    CHECK(std::abs(turn.turn.to_mm.z - turn.turn.from_mm.z) > 50);
+  }
+  // Where nothing states how high that is, what they may meet is not known either.
+  machine = trunnion();
+  machine.work_offsets = {};
+  for (const std::string home : {"G91 G28 Z0 A0\n", "G28\n", "G53 G0 Z0 A0\n"}) {
+    CAPTURE(home);
+    CHECK_THAT(error_of(text + home, machine),
+               ContainsSubstring("axes turn while Z is sent to a place that nothing states"));
+    CHECK(read_text(text + "G91 G28 Z0\nG90\n" + home, machine).turns.back().parked);
+  }
 }
 
 TEST_CASE("before Z is named it is taken to stand above everything while axes turn",

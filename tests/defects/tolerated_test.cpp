@@ -15,6 +15,7 @@
 #include "verifier/reach/reach_entries.h"
 #include "verifier/reach/reach_query.h"
 #include "verifier/robust/robust_figures.h"
+#include "verifier/robust/tolerated_reach.h"
 
 namespace limitgauge::tests::defects {
 namespace {
@@ -103,12 +104,15 @@ class ToleratedJob {
         scene_(job.target.surface, job.stock, passes_, check_),
         proven_(classify_reach(scene_.cells, scene_.by.searches, scene_.by.efforts, kControl)),
         reach_(scene_.by.searches, proven_),
+        tolerated_(scene_, tolerances, passes_, check_, job.target.surface.area_mm2(), reach_,
+                   kControl),
         box(tolerances, passes_) {
     for (const Side side : {Side::gouge, Side::uncut}) {
       stated_[side == Side::uncut] = stated_figure(side);
-      found_[side == Side::uncut] = verifier::robust_figure(
-          {scene_.cells, scene_.raw, passes_, reach_, check_, scene_.request, scene_.highest_mm},
-          side, tolerances, kControl);
+      found_[side == Side::uncut] =
+          verifier::robust_figure({scene_.cells, scene_.raw, passes_, check_, scene_.request,
+                                   scene_.highest_mm, tolerated_.of_any(), tolerated_.of_extreme()},
+                                  side, tolerances, kControl);
     }
   }
   ToleratedJob(const ToleratedJob&) = delete;
@@ -138,13 +142,12 @@ class ToleratedJob {
     return bounds.run(found(side).place->point, found(side).normal).length_mm;
   }
 
-  /// The oracle for the paths and cutters that these values make. Reach is that of the stated ones.
+  /// The oracle for the paths and cutters that these values make, of which reach is, too.
   RunOracle oracle_at(const verifier::ToleranceValues& values) const {
     std::vector<simulator::Pass> passes;
     for (const verifier::Pass& pass : box.passes_at(values))
       passes.push_back({pass.cutter, pass.path});
-    const simulator::Pass stated{passes_.front().cutter, passes_.front().path};
-    return {job_.target, job_.stock, passes, {&stated, 1}, 0};
+    return {job_.target, job_.stock, passes, 0};
   }
 
   verifier::Verdict verdict(Side side, double limit_mm) const {
@@ -184,6 +187,7 @@ class ToleratedJob {
   verifier::StageScene scene_;
   verifier::ReachMap proven_;
   verifier::ReachQuery reach_;
+  verifier::ToleratedReach tolerated_;
   Interval stated_[2];
   verifier::RobustFigure found_[2];
 

@@ -13,6 +13,7 @@
 #include "verifier/reach/lowest_tip.h"
 #include "verifier/reach/reach_entries.h"
 #include "verifier/reach/reach_query.h"
+#include "verifier/robust/tolerated_reach.h"
 #include "verifier/robust/witness_rays.h"
 #include "verifier/tolerance.h"
 
@@ -298,8 +299,16 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   keep_deepest(out.gouges);
   out.phases.findings_s = laps.lap();
   if (check.tolerances) {
-    const RobustScene robust{scene.cells, scene.raw,     passes,          reach,
-                             check,       scene.request, scene.highest_mm};
+    const ToleratedReach tolerated(scene, *check.tolerances, passes, check, surface.area_mm2(),
+                                   reach, control);
+    const RobustScene robust{scene.cells,
+                             scene.raw,
+                             passes,
+                             check,
+                             scene.request,
+                             scene.highest_mm,
+                             tolerated.of_any(),
+                             tolerated.of_extreme()};
     out.robust = robust_deviation(robust, out, control);
     if (probe) read_witnesses(*out.robust, robust, raw_stock, *probe, control);
   }

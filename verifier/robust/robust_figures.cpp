@@ -33,11 +33,21 @@ ToleranceValues values_at(const ToleranceBox& box, Side side, const Witness& wit
                       off_path(side, witness.normal, box.path_mm()));
 }
 
+/// A leftover's `high` leaves out what no cutter of the box can touch; its witness, which has the
+/// values that leave most, what the cutter of these cannot.
 Certificate certified(const RobustScene& scene, Side side, const ToleranceBox& box,
                       const CertificateRequest& request, const model::RunControl& control) {
   const ToleratedSpaces spaces(box, scene.raw, side, scene.highest_mm);
-  return certify(scene.cells, spaces.whole, side, side == Side::uncut ? &scene.reach : nullptr,
-                 request, control, &spaces.draws);
+  const auto within = [&](const ReachQuery* reach) {
+    return certify(scene.cells, spaces.whole, side, reach, request, control, &spaces.draws);
+  };
+  if (side != Side::uncut) return within(nullptr);
+  Certificate out = within(scene.reach_of_any);
+  if (scene.reach_of_any == scene.reach_of_extreme || !(out.figure_mm.low > 0)) return out;
+  const Certificate extreme = within(scene.reach_of_extreme);
+  out.figure_mm.low = std::min(extreme.figure_mm.low, out.figure_mm.high);
+  out.witness = extreme.witness;
+  return out;
 }
 
 Found find(const RobustScene& scene, Side side, const ToleranceBox& box,

@@ -14,10 +14,13 @@ struct RobustScene {
   const SurfaceCells& cells;
   const RemovedSpace& raw;
   std::span<const Pass> passes;
-  const ReachQuery& reach;  ///< of the stated cutters
   const StageCheck& check;
   const CertificateRequest& request;
   double highest_mm = 0;  ///< shanks and holders that stay above it are left out
+  /// What is left out of a leftover: what all cutters of the tolerances, or those that leave most,
+  /// are proven not to touch (ToleratedReach). Null: nothing.
+  const ReachQuery* reach_of_any = nullptr;
+  const ReachQuery* reach_of_extreme = nullptr;
 };
 
 /// One figure for every value of the stated tolerances. Throws as ToleranceBox does, Interrupted.

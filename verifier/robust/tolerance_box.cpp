@@ -47,6 +47,38 @@ bool reaches_further(const Tolerance& t, bool flat_is_stated) {
   return t.of != Of::corner_radius || flat_is_stated;
 }
 
+double top_radius_mm(const model::Cutter& cutter) {
+  return CutterProfile(cutter).top_radius_mm();
+}
+
+bool has_neck(const model::Cutter& cutter) {
+  const auto is_narrow = [top_mm = top_radius_mm(cutter)](const model::CylinderPart& part) {
+    return part.diameter_mm / 2 < top_mm;
+  };
+  return std::any_of(cutter.shank.begin(), cutter.shank.end(), is_narrow) ||
+         std::any_of(cutter.holder.begin(), cutter.holder.end(), is_narrow);
+}
+
+/// With parts narrower than `top_mm` narrower by `aside_mm` about their axis, longer by as much as
+/// the flutes are shorter: twice `up_mm`. None where nothing is left of one.
+std::optional<model::Cutter> narrowed(model::Cutter cutter, double top_mm, double aside_mm,
+                                      double up_mm) {
+  bool is_necked = false;
+  for (auto* list : {&cutter.shank, &cutter.holder})
+    for (model::CylinderPart& part : *list) {
+      if (part.diameter_mm / 2 >= top_mm) continue;
+      is_necked = true;
+      part.diameter_mm -= 2 * aside_mm;
+      part.length_mm += 2 * up_mm;
+      if (!(part.diameter_mm > 0)) return std::nullopt;
+    }
+  if (!is_necked) return cutter;
+  cutter.flute_length_mm -= 2 * up_mm;
+  const CutterProfile profile(cutter);
+  if (!(profile.top_mm > profile.core_mm)) return std::nullopt;
+  return cutter;
+}
+
 }  // namespace
 
 std::string Tolerance::name() const {
@@ -150,6 +182,62 @@ std::vector<Pass> ToleranceBox::passes_at(const ToleranceValues& values) const {
                    std::make_shared<const model::Toolpath>(turned(*pass.path, shifted))});
   }
   return out;
+}
+
+std::vector<Pass> ToleranceBox::cutters_at(const ToleranceValues& values) const {
+  std::vector<Pass> out(passes_.begin(), passes_.end());
+  for (Pass& pass : out)
+    pass.cutter = model::varied(pass.cutter, offset_of(values, pass.cutter.id));
+  return out;
+}
+
+bool ToleranceBox::changes_reach() const {
+  return std::any_of(tolerances_.begin(), tolerances_.end(), [](const Tolerance& t) {
+    return t.of == Of::radius || t.of == Of::corner_radius || t.of == Of::flat ||
+           t.of == Of::runout;
+  });
+}
+
+/// Least radius of the core's edge and least corner radius, whatever they have to do with each
+/// other, and a neck that finds room whichever way the cutter is moved aside for that.
+std::optional<model::Cutter> ToleranceBox::smallest(const model::Cutter& cutter) const {
+  const auto of_tool = [&](Of of) {
+    return cutter.id.empty() ? Interval{} : range_of(of, 0, cutter.id);
+  };
+  const Interval radius = of_tool(Of::radius), corner = of_tool(Of::corner_radius),
+                 flat = of_tool(Of::flat), runout = range_of(Of::runout, 0);
+  const bool flat_is_stated = flat.width() > 0 || flat.low != 0;
+  const double core_low = radius.low + runout.low + flat.low - (flat_is_stated ? 0 : corner.high);
+  try {
+    const model::Cutter least =
+        model::varied(cutter, {core_low + corner.low, 0, corner.low, std::nullopt});
+    const double core_range =
+        radius.width() + runout.width() + flat.width() + (flat_is_stated ? 0 : corner.width());
+    const bool is_round = CutterProfile(cutter).flat_mm <= 0;
+    return narrowed(least, top_radius_mm(cutter), core_range + corner.width(),
+                    is_round ? core_range : corner.width());
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<std::vector<Pass>> ToleranceBox::smallest_cutters() const {
+  std::vector<Pass> out(passes_.begin(), passes_.end());
+  for (Pass& pass : out) {
+    const auto least = smallest(pass.cutter);
+    if (!least) return std::nullopt;
+    pass.cutter = *least;
+  }
+  return out;
+}
+
+bool ToleranceBox::smallest_is_extreme() const {
+  const auto corners = [](const Tolerance& t) {
+    return t.of == Of::corner_radius || t.of == Of::flat;
+  };
+  const auto necked = [](const Pass& pass) { return has_neck(pass.cutter); };
+  return std::none_of(tolerances_.begin(), tolerances_.end(), corners) &&
+         std::none_of(passes_.begin(), passes_.end(), necked);
 }
 
 double ToleranceBox::height_range_mm(const Pass& pass) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,16 @@ class ToleranceBox {
   ToleranceValues extreme(Side side) const;
   /// The passes as they are at these values.
   std::vector<Pass> passes_at(const ToleranceValues& values) const;
+  /// The same with the stated paths: of such passes only cutters and how they stand are asked.
+  std::vector<Pass> cutters_at(const ToleranceValues& values) const;
+  /// Whether some figure of a cutter but its length is uncertain.
+  bool changes_reach() const;
+  /// Cutters that can touch whatever any of the box's can (CERTIFICATE.md, section 10). None where
+  /// a cutter would have nothing left of its core or of its neck.
+  std::optional<std::vector<Pass>> smallest_cutters() const;
+  /// Whether those are the ones that leave most: no corner's radius and no neck's room is in the
+  /// way of that.
+  bool smallest_is_extreme() const;
   /// What they sweep, lengths of tools included and shifts that all share not; of gouge with the
   /// parts of shanks and holders that come lower than `highest_mm` for any values. `grown_mm` is
   /// added to the length of flutes and parts.
@@ -71,6 +82,7 @@ class ToleranceBox {
  private:
   double sum_of(const ToleranceValues& values, Tolerance::Of of, int axis) const;
   model::CutterOffset offset_of(const ToleranceValues& values, const std::string& tool) const;
+  std::optional<model::Cutter> smallest(const model::Cutter& cutter) const;
   model::Interval range_of(Tolerance::Of of, int axis, const std::string& tool = {}) const;
   std::vector<Sweep> sweeps(const ToleranceValues& values, Side side, double highest_mm,
                             double grown) const;

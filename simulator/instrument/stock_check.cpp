@@ -65,7 +65,8 @@ void StockCheck::look_at_cutter(std::size_t i, const SweptMove& tip,
   const Move& m = path_.moves[i];
   const bool rapid = m.kind == MoveKind::rapid, leaves = rapid && backs_out(i);
   const ToolBody& flutes = bodies_.flutes;
-  if (rapid && !leaves) look_at_rapid(i, tip, findings);
+  if (rapid && !leaves)
+    if (const auto beyond = beyond_way_back(i)) look_at_rapid(i, *beyond, findings);
   if (m.spindle_stopped && !leaves)
     look_for(FindingKind::spindle_stopped, flutes, i, tip, idle_.spindle_stopped.begin(i),
              findings);
@@ -259,6 +260,24 @@ bool StockCheck::backs_out(std::size_t i) const {
   return over_each_other(from, move_from(path_, i), slack_mm) &&
          over_each_other(from, to, slack_mm) && to.z >= move_from(path_, i).z &&
          bodies_.widest_at_top() && from.z + bodies_.flutes.profile.length() >= map_.highest();
+}
+
+// What a rapid sweeps that the straight line of feed moves before it has not: nothing of it where
+// it goes back along that line, and from its beginning on where it goes on. As much as it goes
+// aside is no contact.
+std::optional<SweptMove> StockCheck::beyond_way_back(std::size_t i) const {
+  const SweptMove own = tip(i);
+  const std::size_t begin = lines_.begin(i);
+  if (begin != i || begin == 0 || path_.moves[begin - 1].kind != MoveKind::feed) return own;
+  const SweptMove feed = run_of(begin - 1);
+  const double way_mm = length(feed.delta);
+  if (!(way_mm > 0)) return own;
+  const Vec3 back = feed.delta * (-1 / way_mm);
+  const double along_mm = dot(own.delta, back);
+  if (along_mm < 0 || length(own.delta - back * along_mm) > limits_.slightest_mm()) return own;
+  if (along_mm <= way_mm) return std::nullopt;
+  const Vec3 from = own.start + own.delta * (way_mm / along_mm);
+  return SweptMove(from, path_.moves[i].to, own.index);
 }
 
 // Up from where a feed move ended or down to where one begins, with flutes that are widest at their

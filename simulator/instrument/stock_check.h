@@ -56,6 +56,7 @@ class StockCheck {
   bool descends_too_steeply(std::size_t i) const;
   MoveRuns stairs() const;
   bool backs_out(std::size_t i) const;
+  std::optional<SweptMove> beyond_way_back(std::size_t i) const;
   bool keeps_to_its_hole(std::size_t i) const;
   std::vector<SweptMove> feeds_beside(std::size_t i) const;
   SweptMove tip(std::size_t i) const;

@@ -169,8 +169,9 @@ void AxesCheck::look_near(const Turning& m, const ToolBody& body, std::size_t so
 void AxesCheck::look_at_cutter(const Turning& m, std::vector<Finding>& findings) const {
   const Move& move = path_.moves[m.move];
   const ToolBody& flutes = bodies_.flutes;
-  if (move.kind == MoveKind::rapid) look_at_rapid(m, findings);
-  if (move.spindle_stopped)
+  const bool rapid = move.kind == MoveKind::rapid, leaves = rapid && backs_out(m.move);
+  if (rapid && !leaves) look_at_rapid(m, findings);
+  if (move.spindle_stopped && !leaves)
     look_for(FindingKind::spindle_stopped, m, flutes, 0, idle_.spindle_stopped.begin(m.move),
              findings);
   if (lacks_feed(move)) {
@@ -213,6 +214,28 @@ void AxesCheck::look_at_rapid(const Turning& m, std::vector<Finding>& findings) 
 bool AxesCheck::rises(std::size_t i) const {
   const Vec3 way = path_.moves[i].to - move_from(path_, i);
   return dot(way, axis_from(*pass_.axes, i)) > 0 || dot(way, pass_.axes->to[i]) > 0;
+}
+
+// Up its own axis from where the move before such a series ended: the flutes stood there, and all
+// that they sweep anew is above their top, but for as much as they go aside, which is no contact.
+bool AxesCheck::backs_out(std::size_t i) const {
+  if (!bodies_.widest_at_top()) return false;
+  double aside_mm = 0;
+  std::size_t begin = i + 1;
+  for (; begin > 0 && path_.moves[begin - 1].kind == MoveKind::rapid; --begin) {
+    const Vec3 &axis = axis_from(*pass_.axes, begin - 1), &axis_to = pass_.axes->to[begin - 1];
+    const Vec3 way = path_.moves[begin - 1].to - move_from(path_, begin - 1);
+    const double up_mm = dot(way, axis), turn = length(cross(axis, axis_to));
+    if (up_mm < 0 || turn > 0) break;
+    aside_mm += length(way - axis * up_mm);
+  }
+  if (begin == 0 || begin > i || aside_mm > limits_.slightest_mm()) return false;
+  const Vec3 &tip = move_from(path_, begin), &axis = axis_from(*pass_.axes, begin);
+  const model::Box3 box = bounding_box(solids_.front().solid.raw());
+  const Vec3 half = box.size() * 0.5;
+  const double top_mm = dot(box.centre() - tip, axis) + std::abs(axis.x) * half.x +
+                        std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
+  return bodies_.flutes.profile.length() >= top_mm;
 }
 
 void AxesCheck::look_above_flutes(const Turning& m, std::vector<Finding>& findings) const {

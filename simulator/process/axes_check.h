@@ -64,6 +64,7 @@ class AxesCheck {
   void look_at_fixtures(const Turning& m, std::vector<Finding>& findings) const;
   bool descends_too_steeply(std::size_t i) const;
   bool rises(std::size_t i) const;
+  bool backs_out(std::size_t i) const;
   double reach_into_stock(std::size_t i) const;
   double aside_mm(std::size_t i, double reach_mm) const;
   bool follows_flutes(const Turning& m, const ToolBody& body, double within_mm) const;

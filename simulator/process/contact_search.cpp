@@ -1,6 +1,7 @@
 #include "simulator/process/contact_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <vector>
 
@@ -53,7 +54,7 @@ class ContactSearch {
     // What covers the block around this one mostly covers it too, and saves the search.
     if (bound_under(block, s) <= enough()) return;
     block.cover = cover_at(material_, block.middle, block.cover);
-    block.bound = bound_under(block, s);
+    block.bound = std::min(bound_under(block, s), bound_under_two(block, s));
     if (block.bound <= enough()) return;
     offer(block, s);
     // Smaller blocks than this cannot hide a contact of 1.5 tolerances from their middle.
@@ -62,6 +63,17 @@ class ContactSearch {
 
   double bound_under(const Block& block, const SweptSample& body) const {
     return depth_bound(depth_under(material_, block.cover, block.middle, block.half), body,
+                       block.half);
+  }
+
+  // With what covers the block where its own cover leaves most.
+  double bound_under_two(const Block& block, const SweptSample& body) const {
+    const Depth own = depth_under(material_, block.cover, block.middle, block.half);
+    Vec3 farthest = block.middle;
+    for (int axis = 0; axis < 3; ++axis)
+      farthest[axis] += std::copysign(block.half[axis], own.gradient[axis]);
+    const Cover other = cover_at(material_, farthest, block.cover);
+    return depth_bound(own, depth_under(material_, other, block.middle, block.half), body,
                        block.half);
   }
 

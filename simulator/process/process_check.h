@@ -27,11 +27,12 @@ namespace limitgauge::simulator {
 /// - rapid_through_stock: a rapid's flutes in material. One whose own line takes nothing of it is
 ///   none where the rapid before it was as deep, within a tolerance: it goes where that series has
 ///   gone. A rapid straight up from where the move before ended is none where the flutes end above
-///   all material.
+///   all material, nor is one back along the straight line of feed moves before it, as far as that
+///   goes back.
 /// - shank_in_stock, holder_in_stock: a part as wide as the flutes' top or wider in material.
-/// - below_flutes: material stands above the flutes' top within their radius there, at a height
-///   where the stated assembly is narrower or ends. A narrower part that meets material is found by
-///   this and not as shank_in_stock; a wider one has its own finding and not this.
+/// - below_flutes: a part narrower than the flutes' top in material, or, where the stated assembly
+///   ends, material above it within the radius of the flutes' top. What stands beside a narrower
+///   part is a ledge that the flutes reach under. A wider part has its own finding and not this.
 /// - fixture_touched: any part on any move. The depth is that of the fixture's surface in the
 ///   assembly, which is one body whatever parts it is stated in (ToolBodies::joined: no less than
 ///   1/√2 of it where the diameter changes), to a fraction of the tolerance; of a part wholly
@@ -68,12 +69,12 @@ namespace limitgauge::simulator {
 /// (turn_search.h), against the stock as it stands at each move as above, and with these
 /// differences. What is above the flutes of a move that turns is judged against what stands when it
 /// gets to a place (trailing_contact.h), but for near misses. Straight lines of rapids are series
-/// of neighbouring rapids, and steep_descent is judged by a move's own two axes. A rapid that backs
-/// out has no rule of its own: what was cut holds it. fixture_touched and slight contacts have the
-/// depth at which a part's place lies in the fixture. Near misses of rapids' flutes do not count
-/// from the series' first move's start until they are farther away, nor so before its last move's
-/// end. A contact deeper than one and a half tolerances is never missed: where a search is given up
-/// it is a finding of depth 0 at the tip.
+/// of neighbouring rapids, steep_descent is judged by a move's own two axes, and straight up is up
+/// the tool's axis, while it does not turn. No rapid is known to go back. fixture_touched and
+/// slight contacts have the depth at which a part's place lies in the fixture. Near misses of
+/// rapids' flutes do not count from the series' first move's start until they are farther away, nor
+/// so before its last move's end. A contact deeper than one and a half tolerances is never missed:
+/// where a search is given up it is a finding of depth 0 at the tip.
 std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
                                    const ProcessLimits& limits, const model::RunControl& control);
 

@@ -62,19 +62,11 @@ ToolBodies::ToolBodies(const model::Cutter& cutter, double height_mm)
   };
   stack(cutter.shank, ToolPart::shank);
   stack(cutter.holder, ToolPart::holder);
-  double free_from = cutter.flute_length_mm;
-  const auto fill = [&](double to) {
-    to = std::min(to, height_mm);
-    if (to > free_from)
-      over_flutes.push_back(
-          {ToolPart::cutter, CutterProfile(top_radius_mm, to - free_from), free_from});
-  };
-  for (const ToolBody& body : above) {
-    if (!is_wide(body)) continue;
-    fill(body.base_mm);
-    free_from = body.base_mm + body.profile.length();
-  }
-  fill(height_mm);
+  for (const ToolBody& body : above)
+    if (!is_wide(body) && body.base_mm < height_mm) over_flutes.push_back(body);
+  // Nobody says what is above the last part.
+  if (base < height_mm)
+    over_flutes.push_back({ToolPart::cutter, CutterProfile(top_radius_mm, height_mm - base), base});
   join_parts(cutter);
 }
 

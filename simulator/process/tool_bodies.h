@@ -47,9 +47,10 @@ struct ToolBodies {
   /// narrowest part there: (ρ, z) is at least r/√2 deep in it, and exactly r where all are of one
   /// diameter.
   std::vector<ToolBody> joined;
-  /// Cylinders of the flutes' top radius at the heights, up to `height_mm`, where the stated
-  /// assembly is narrower than that or ends: material in them stands above the flutes within the
-  /// cutter's own radius. A part as wide as the flutes' top or wider speaks for itself.
+  /// What material may not meet above the flutes beside parts as wide as their top or wider, which
+  /// speak for themselves: the narrower parts, which may stand under a ledge as a T-slot cutter's
+  /// neck does, and where the stated assembly ends, up to `height_mm`, a cylinder of the flutes'
+  /// top radius.
   std::vector<ToolBody> over_flutes;
 
   /// The flutes, then what is above them.

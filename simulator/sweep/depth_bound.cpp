@@ -50,6 +50,21 @@ double depth_bound(const Depth& d, const SweptSample& body, const Vec3& half) {
   return bound + d.bend;
 }
 
+double depth_bound(const Depth& a, const Depth& b, const SweptSample& body, const Vec3& half) {
+  double bound = depth_bound(a, body, half);
+  // Best where a component of the mean's gradient vanishes.
+  for (int axis = 0; axis < 3; ++axis) {
+    const double apart = b.gradient[axis] - a.gradient[axis];
+    if (apart == 0) continue;
+    const double of_a = b.gradient[axis] / apart, of_b = 1 - of_a;
+    if (!(of_a > 0 && of_b > 0)) continue;
+    const Depth mean{a.value * of_a + b.value * of_b, a.gradient * of_a + b.gradient * of_b,
+                     a.bend * of_a + b.bend * of_b, a.cover};
+    bound = std::min(bound, depth_bound(mean, body, half));
+  }
+  return bound;
+}
+
 std::array<Block, 2> halves(const Block& b) {
   int axis = b.half.y > b.half.x ? 1 : 0;
   if (b.half.z > b.half[axis]) axis = 2;

@@ -43,6 +43,11 @@ double support(const model::Vec3& half, const model::Vec3& v);
 /// block's middle, is not above zero (simulator/PROOFS.md, P2).
 double depth_bound(const Depth& d, const SweptSample& body, const model::Vec3& half);
 
+/// The same where two covers bound the depth together, which then lies below every mean of their
+/// tangents: what two moves have cut that only just meet. Never more than `depth_bound` of `a`.
+double depth_bound(const Depth& a, const Depth& b, const SweptSample& body,
+                   const model::Vec3& half);
+
 /// An axis-aligned block of a search in the material.
 struct Block {
   model::Vec3 middle, half;

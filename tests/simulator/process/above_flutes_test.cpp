@@ -52,11 +52,12 @@ TEST_CASE("a part above the flutes as wide as they are speaks for itself", "[uni
   auto all = check(block(), slot(c, 7));
   REQUIRE(all.size() == 1);
   CHECK(all[0].kind == FindingKind::shank_in_stock);
-  // A neck: material stands above the flutes, whether the neck meets it or not.
+  // A neck that ploughs through what the flutes have left above them.
   c.shank = {{3, 20}};
   all = check(block(), slot(c, 7));
   REQUIRE(all.size() == 1);
   CHECK(all[0].kind == FindingKind::below_flutes);
+  CHECK(all[0].part == "shank");
   // A neck, then a holder that is too low as well.
   c.shank = {{3, 1}};
   c.holder = {{10, 20}};
@@ -89,4 +90,34 @@ TEST_CASE("a holder that dips into the stock", "[unit][process]") {
   REQUIRE(all.size() == 1);
   CHECK(all[0].kind == FindingKind::holder_in_stock);
   CHECK(all[0].depth_mm == Approx(0.75).margin(kTolerance));
+}
+
+TEST_CASE("a neck may stand under a ledge that it does not touch", "[unit][process]") {
+  // A slot 4 wide in levels, and at its floor aside, under its wall.
+  auto c = flat4(1.25);
+  c.shank = {{2, 20}};
+  const auto undercut = [&](double aside_mm) {
+    PathBuilder path({-20, 0, 5});
+    for (double z = -1; z >= -3; z -= 1)
+      path.rapid({-20, 0, 5}).rapid({-20, 0, z}).feed({20, 0, z}).rapid({20, 0, 5});
+    return path.rapid({-20, 0, 5})
+        .rapid({-20, aside_mm, 5})
+        .rapid({-20, aside_mm, -3})
+        .feed({20, aside_mm, -3})
+        .pass(c);
+  };
+  // The neck comes to 1.9 from the slot's middle, whose wall is at 2; then 0.3 beyond it.
+  CHECK(check(block(), undercut(0.9)).empty());
+  const auto all = check(block(), undercut(1.3));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].kind == FindingKind::below_flutes);
+  CHECK(all[0].depth_mm == Approx(0.3).margin(kTolerance));
+  // Levels as high as the flutes only just meet.
+  c.flute_length_mm = 1;
+  CHECK(check(block(), undercut(0.9)).empty());
+  // Where nobody says that there is a neck, there is none. The ledge is 1.75 high.
+  c.flute_length_mm = 1.25;
+  c.shank = {};
+  CHECK(worst_of(check(block(), undercut(0.9)), FindingKind::below_flutes) ==
+        Approx(0.875).margin(kTolerance));
 }

@@ -279,3 +279,24 @@ TEST_CASE("nothing collides where nothing stands", "[unit][collision]") {
   const Pass pass = PathBuilder({-20, 0, -3}).rapid({20, 0, -3}).pass(ball_of_4());
   CHECK(struck(nothing, pass).rapid.empty());
 }
+
+TEST_CASE("a rapid back along the way of the feed move before it meets nothing there",
+          "[unit][process]") {
+  // A side that leans inwards: the flutes' widest place is the lowest, and what is left above it
+  // lies against their way back.
+  const model::Cutter dovetail = model::parse_cutter("apt:D=8,L=3,r=0,a=0,b=-5");
+  const Vec3 above{12.68, 3.06, 20}, down{12.68, 3.06, -3.47};
+  const auto plunge = [&] { return PathBuilder({12.68, 3.06, 30}).rapid(above).feed(down); };
+  CHECK(check(block(), plunge().rapid({12.68, 3.06, 15}).pass(dovetail)).empty());
+  CHECK(check(block(), plunge().rapid({12.68, 3.06, 40}).pass(dovetail)).empty());
+  // Aside on the way, or on beyond where the feed began.
+  const auto aside = check(block(), plunge().rapid({12.68, 2.56, 20}).pass(dovetail));
+  CHECK(count_of(aside, FindingKind::rapid_through_stock) == 1);
+  const auto through = PathBuilder({0, 0, 20}).feed({0, 0, -3}).feed({5, 0, -3});
+  PathBuilder back = through, beyond = through;
+  CHECK(check(block(), back.rapid({0, 0, -3}).pass(flat4())).empty());
+  const auto hit = check(block(), beyond.rapid({-5, 0, -3}).pass(flat4()));
+  REQUIRE(count_of(hit, FindingKind::rapid_through_stock) == 1);
+  CHECK(hit[0].point.x < 0);
+  CHECK(hit[0].depth_mm == Approx(3).margin(0.01));
+}

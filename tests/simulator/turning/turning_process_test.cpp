@@ -1,6 +1,7 @@
 // What a tool touches that turns as it goes.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "simulator/process/process_check.h"
 #include "tests/simulator/paths.h"
@@ -202,4 +203,26 @@ TEST_CASE("a shank as wide as its flutes follows them down a leaning axis, but f
   CHECK_FALSE(any(of(dive(1e-5), l), FindingKind::shank_in_stock));
   // A tenth of a radian is no rounding.
   CHECK(any(of(dive(0.1), l), FindingKind::shank_in_stock));
+}
+
+TEST_CASE("a tool goes back up its axis from where it has just cut as it turned",
+          "[unit][turning]") {
+  const auto leaning = [](double deg) {
+    const double rad = deg * std::numbers::pi / 180;
+    return Vec3{std::sin(rad), 0, std::cos(rad)};
+  };
+  const Vec3 axis = leaning(40), turned = leaning(40.5), end{3, 0, -5};
+  const auto findings = [&](const char* tool, const Vec3& up) {
+    Pass pass = with_axes(model::parse_cutter(tool), {{axis * 30, axis * -4, axis, axis},
+                                                      {axis * -4, end, axis, turned},
+                                                      {end, end + up, turned, turned}});
+    model::Toolpath path = *pass.path;
+    path.moves[2].kind = model::MoveKind::rapid;
+    pass.path = std::make_shared<const model::Toolpath>(path);
+    return of(pass, limits(0.5));
+  };
+  CHECK(findings("flat:D=6,L=60", turned * 60).empty());
+  // Aside it meets the wall that it has left.
+  CHECK(any(findings("flat:D=6,L=60", turned * 60 + Vec3{0, 2, 0}),
+            FindingKind::rapid_through_stock));
 }

@@ -167,6 +167,9 @@ std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Fi
     for (const simulator::Finding& f : findings)
       if (f.kind == kind && (!fault.worst || f.depth_mm > fault.worst->depth_mm))
         fault.worst = {f.point, f.line, f.depth_mm};
+    // A missing feed meets nothing, as a rule.
+    fault.is_open =
+        fault.worst && fault.worst->depth_mm == 0 && kind != simulator::FindingKind::feed_missing;
     faults.push_back(std::move(fault));
   }
   return faults;

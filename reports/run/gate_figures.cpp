@@ -124,6 +124,8 @@ GateFigure count_figure(const char* what, std::size_t count) {
 /// A pass of a program that cuts nothing is no praise.
 std::vector<std::string> cut_notes(const StageRun& ran) {
   if (ran.removal.totals.volume_mm3 > 0) return {};
+  // A sliver between the lines of material is touched by moves that take none of them.
+  if (faults(ran.process) > 0) return {"nothing was cut"};
   return {"nothing was cut: no move came to the stock; are stock, program and tool in one frame?"};
 }
 

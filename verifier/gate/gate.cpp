@@ -182,6 +182,7 @@ std::string fault_text(const ProcessFault& fault) {
       fault.what + ": " + std::to_string(fault.count) + (fault.count == 1 ? " move" : " moves");
   if (fault.worst) {
     text += fault.worst->depth_mm > 0 ? "; deepest " + length_text(fault.worst->depth_mm) + " "
+            : fault.is_open           ? "; neither shown nor excluded, begins "
                                       : std::string("; ");
     text += place_text(fault.worst->point);
     if (fault.worst->line > 0) text += ", program line " + std::to_string(fault.worst->line);

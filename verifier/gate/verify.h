@@ -97,6 +97,8 @@ struct ProcessFault {
     double depth_mm = 0;     ///< 0 or less: there is none to tell
   };
   std::optional<Place> worst = std::nullopt;  ///< where it is deepest
+  /// None was shown, nor could one be excluded: `worst` is where the first such move begins.
+  bool is_open = false;
 };
 
 /// What the gates of gouge and uncut judge: the figure over tolerances, where any are stated.

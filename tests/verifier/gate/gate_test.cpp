@@ -282,6 +282,12 @@ TEST_CASE("a process fault names its deepest place", "[unit]") {
   CHECK(decision.reasons ==
         std::vector<std::string>{"holder in the material: 2 moves; deepest 0.25 mm at (1.000, "
                                  "2.000, 3.000) mm, program line 40"});
+  ProcessFault rapid{"rapid through standing material", 1};
+  rapid.worst = ProcessFault::Place{{1, 2, 3}, 40, 0};
+  rapid.is_open = true;
+  CHECK(decide(std::span(&rapid, 1)).reasons.front() ==
+        "rapid through standing material: 1 move; neither shown nor excluded, begins at (1.000, "
+        "2.000, 3.000) mm, program line 40");
 }
 
 TEST_CASE("automatic resolution is a tenth of the tightest limit", "[unit]") {

@@ -127,12 +127,11 @@ bool StockCheck::goes_deeper(std::size_t i, double depth_mm) const {
   return !known || known->depth_mm + limits_.tolerance_mm < depth_mm;
 }
 
-// Straight down, a part no wider than the flutes' top meets nothing but what it already stood in
-// where the move before ended: below that the top has been wherever it comes to. Straight up again
+// Straight down, a part no wider than all below it meets nothing but what it already stood in where
+// the move before ended: below that the top has been wherever it comes to. Straight up again
 // it goes back, and above where it came from nothing stands as high as it is.
 bool StockCheck::follows_flutes(const ToolBody& body, std::size_t i, const SweptMove& tip) const {
-  if (i == 0 || !tip.vertical() || body.profile.largest_radius() > bodies_.top_radius_mm)
-    return false;
+  if (i == 0 || !tip.vertical() || !bodies_.trails(body)) return false;
   if (tip.delta.z <= 0) return true;
   const Vec3 &from = move_from(path_, i - 1), &down = path_.moves[i - 1].to;
   const bool goes_back =
@@ -274,7 +273,11 @@ std::optional<SweptMove> StockCheck::beyond_way_back(std::size_t i) const {
   if (!(way_mm > 0)) return own;
   const Vec3 back = feed.delta * (-1 / way_mm);
   const double along_mm = dot(own.delta, back);
-  if (along_mm < 0 || length(own.delta - back * along_mm) > limits_.slightest_mm()) return own;
+  const auto aside_mm = [&](const Vec3& way) { return length(way - back * dot(way, back)); };
+  if (along_mm < 0 || aside_mm(own.delta) > limits_.slightest_mm()) return own;
+  // A line in pieces may bend.
+  for (std::size_t k = lines_.begin(begin - 1); k < begin; ++k)
+    if (aside_mm(move_from(path_, k) - own.start) > limits_.slightest_mm()) return own;
   if (along_mm <= way_mm) return std::nullopt;
   const Vec3 from = own.start + own.delta * (way_mm / along_mm);
   return SweptMove(from, path_.moves[i].to, own.index);

@@ -104,12 +104,12 @@ double AxesCheck::aside_mm(std::size_t i, double reach_mm) const {
   return length(way + axis * down) + turn_rad * reach_mm;
 }
 
-// Down its own axis a part no wider than the flutes' top meets nothing but what it already stood in
+// Down its own axis a part no wider than all below it meets nothing but what it already stood in
 // before, but for as much as it goes aside, and no contact grows by more than that. Counted from
 // the last move that was looked at in full.
 bool AxesCheck::follows_flutes(const Turning& m, const ToolBody& body, double within_mm) const {
   constexpr std::size_t kMostMoves = 1000;
-  if (body.profile.largest_radius() > bodies_.top_radius_mm || m.move == 0) return false;
+  if (!bodies_.trails(body) || m.move == 0) return false;
   double sum_mm = 0;
   std::size_t i = m.move;
   for (; i > 0 && m.move - i < kMostMoves; --i) {

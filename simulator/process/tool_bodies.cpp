@@ -111,6 +111,13 @@ bool ToolBodies::is_wide(const ToolBody& body) const {
   return body.profile.largest_radius() >= top_radius_mm - kSameRadius_mm;
 }
 
+bool ToolBodies::trails(const ToolBody& body) const {
+  const double radius = body.profile.largest_radius();
+  return radius <= top_radius_mm && std::all_of(above.begin(), above.end(), [&](const ToolBody& b) {
+           return b.base_mm >= body.base_mm || b.profile.largest_radius() >= radius;
+         });
+}
+
 bool ToolBodies::widest_at_top() const {
   return top_radius_mm >= flutes.profile.largest_radius() - kSameRadius_mm;
 }

@@ -57,6 +57,9 @@ struct ToolBodies {
   std::vector<ToolBody> parts() const;
   /// Whether a part above the flutes is as wide as their top or wider.
   bool is_wide(const ToolBody& body) const;
+  /// Whether it is no wider than anything between it and the flutes, nor than their top: straight
+  /// down, it comes to nothing but where they have been.
+  bool trails(const ToolBody& body) const;
   /// Whether the flutes are nowhere wider than at their top.
   bool widest_at_top() const;
   /// The part at a height above the tip; beyond the last part, that one.

@@ -121,3 +121,27 @@ TEST_CASE("a neck may stand under a ledge that it does not touch", "[unit][proce
   CHECK(worst_of(check(block(), undercut(0.9)), FindingKind::below_flutes) ==
         Approx(0.875).margin(kTolerance));
 }
+
+TEST_CASE("a part over a neck meets the ledge that it comes down on", "[unit][process]") {
+  auto c = flat4(1.25);
+  c.shank = {{2, 1}, {3.6, 20}};
+  const auto down_to = [&](double z) {
+    return PathBuilder({-20, 0, -1})
+        .feed({20, 0, -1})
+        .rapid({20, 0, 5})
+        .rapid({-20, 0, 5})
+        .rapid({-20, 0, -2})
+        .feed({20, 0, -2})
+        .rapid({20, 0.9, 5})
+        .rapid({20, 0.9, -2})
+        .feed({0, 0.9, -2})
+        .feed({0, 0.9, z})
+        .pass(c);
+  };
+  CHECK(check(block(), down_to(-2.25)).empty());
+  // The wider part comes 0.75 below the top, its side 0.7 beyond the slot's wall.
+  const auto all = check(block(), down_to(-3));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].kind == FindingKind::below_flutes);
+  CHECK(all[0].depth_mm == Approx(0.375).margin(kTolerance));
+}

@@ -298,5 +298,13 @@ TEST_CASE("a rapid back along the way of the feed move before it meets nothing t
   const auto hit = check(block(), beyond.rapid({-5, 0, -3}).pass(flat4()));
   REQUIRE(count_of(hit, FindingKind::rapid_through_stock) == 1);
   CHECK(hit[0].point.x < 0);
+  // A line of feeds that bends by less than shows in its directions is not straight for all that.
+  const auto bent =
+      PathBuilder({-14, 0, -3}).feed({-13, 0, -3}).feed({0, 0.0012, -3}).feed({13, 0, -3});
+  PathBuilder chord = bent;
+  simulator::ProcessLimits fine = plain_limits();
+  fine.tolerance_mm = 0.0005;
+  const auto across = check(block(), chord.rapid({-13, 0, -3}).pass(flat4()), fine);
+  CHECK(count_of(across, FindingKind::rapid_through_stock) == 1);
   CHECK(hit[0].depth_mm == Approx(3).margin(0.01));
 }

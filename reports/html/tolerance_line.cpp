@@ -24,8 +24,8 @@ std::string tolerance_line(const RunResult& result) {
   const bool passed = result.verdict == verifier::Verdict::pass;
   return fmt::format(
       "<p class=\"tolerances\"><strong>Tolerances:</strong> gouge and uncut {} {}, in any "
-      "combination. Coverage, reach, maps, the process, and findings but for the worst over the "
-      "tolerances are of the stated tools and zero.</p>\n",
+      "combination. Coverage, what is shown as out of reach, maps, the process, and findings but "
+      "for the worst over the tolerances are of the stated tools and zero.</p>\n",
       passed ? "hold for" : "are judged for", tolerances_words(*result.tolerances));
 }
 

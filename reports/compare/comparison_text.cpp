@@ -152,6 +152,11 @@ std::string line_text(const FoundPlace& place, const std::string& stage) {
   return place.line_text.empty() ? text : text + ": " + place.line_text;
 }
 
+std::string at_text(const FoundPlace& place) {
+  const model::Vec3& p = place.at_mm;
+  return " at (" + fixed(p.x, 3) + ", " + fixed(p.y, 3) + ", " + fixed(p.z, 3) + ")";
+}
+
 std::string summary(const Comparison& comparison) {
   const auto counted = [](std::size_t count, const char* one, const char* many) {
     return grouped(count) + " " + (count == 1 ? one : many);

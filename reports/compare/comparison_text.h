@@ -25,6 +25,8 @@ std::string new_title(const Comparison& comparison);
 std::string depth_text(const FindingChange& change);
 /// "line 120: X1 Y2 Z3"; with the stage whose program it is unless that is `stage`.
 std::string line_text(const FoundPlace& place, const std::string& stage);
+/// " at (1.000, 2.000, 3.000)", mm.
+std::string at_text(const FoundPlace& place);
 /// "worse: 2 regressions": the whole in a few words.
 std::string summary(const Comparison& comparison);
 

@@ -29,8 +29,7 @@ std::string change_words(const FigureChange& figure) {
 }
 
 std::string spot_words(const FoundPlace& place, const std::string& stage) {
-  return line_text(place, stage) + " at (" + fixed(place.at_mm.x, 3) + ", " +
-         fixed(place.at_mm.y, 3) + ", " + fixed(place.at_mm.z, 3) + ") mm";
+  return line_text(place, stage) + at_text(place) + " mm";
 }
 
 /// What can be judged and is not is skipped, so that nobody takes it for good; what neither way is

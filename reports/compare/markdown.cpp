@@ -76,8 +76,7 @@ void write_figures(const Comparison& comparison, std::ostream& out) {
 }
 
 std::string place_text(const FoundPlace& place, const std::string& stage) {
-  return escaped(line_text(place, stage)) + " at (" + fixed(place.at_mm.x, 3) + ", " +
-         fixed(place.at_mm.y, 3) + ", " + fixed(place.at_mm.z, 3) + ")";
+  return escaped(line_text(place, stage)) + at_text(place);
 }
 
 void write_findings(const StageComparison& stage, std::ostream& out) {

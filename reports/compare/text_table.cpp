@@ -66,8 +66,7 @@ std::string remark_line(const std::string& prefix, const Remark& remark, bool co
 }
 
 std::string named_place(const FoundPlace& place, const std::string& stage) {
-  return clean_text(line_text(place, stage)) + " at (" + fixed(place.at_mm.x, 3) + ", " +
-         fixed(place.at_mm.y, 3) + ", " + fixed(place.at_mm.z, 3) + ")";
+  return clean_text(line_text(place, stage)) + at_text(place);
 }
 
 std::string finding_line(const StageComparison& stage, const FindingChange& change, bool colour) {

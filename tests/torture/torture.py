@@ -2,6 +2,7 @@
 """torture.py PROGRAM MINUTES [--seed N] [SCENARIO...] - see README.md."""
 
 import argparse
+import signal
 import subprocess
 import sys
 import time
@@ -46,6 +47,8 @@ def report(bench, faults, seconds):
 
 def main():
     asked = arguments()
+    # In the background of a script SIGINT is ignored, and so it would be by all that is started here.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     print(f'seed {asked.seed}', flush=True)
     bench = Bench(asked.program, asked.seed, asked.patience)
     began, faults = time.monotonic(), 0

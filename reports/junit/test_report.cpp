@@ -9,7 +9,7 @@
 namespace limitgauge::reports::junit {
 namespace {
 
-/// The elements of an outcome's name; none of a passed case.
+/// The name of an outcome's element; a passed case has none.
 const char* element_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::failure:

@@ -51,14 +51,6 @@ double top_radius_mm(const model::Cutter& cutter) {
   return CutterProfile(cutter).top_radius_mm();
 }
 
-bool has_neck(const model::Cutter& cutter) {
-  const auto is_narrow = [top_mm = top_radius_mm(cutter)](const model::CylinderPart& part) {
-    return part.diameter_mm / 2 < top_mm;
-  };
-  return std::any_of(cutter.shank.begin(), cutter.shank.end(), is_narrow) ||
-         std::any_of(cutter.holder.begin(), cutter.holder.end(), is_narrow);
-}
-
 /// With parts narrower than `top_mm` narrower by `aside_mm` about their axis, longer by as much as
 /// the flutes are shorter: twice `up_mm`. None where nothing is left of one.
 std::optional<model::Cutter> narrowed(model::Cutter cutter, double top_mm, double aside_mm,
@@ -229,15 +221,6 @@ std::optional<std::vector<Pass>> ToleranceBox::smallest_cutters() const {
     pass.cutter = *least;
   }
   return out;
-}
-
-bool ToleranceBox::smallest_is_extreme() const {
-  const auto corners = [](const Tolerance& t) {
-    return t.of == Of::corner_radius || t.of == Of::flat;
-  };
-  const auto necked = [](const Pass& pass) { return has_neck(pass.cutter); };
-  return std::none_of(tolerances_.begin(), tolerances_.end(), corners) &&
-         std::none_of(passes_.begin(), passes_.end(), necked);
 }
 
 double ToleranceBox::height_range_mm(const Pass& pass) const {

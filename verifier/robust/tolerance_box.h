@@ -48,9 +48,6 @@ class ToleranceBox {
   /// Cutters that can touch whatever any of the box's can (CERTIFICATE.md, section 10). None where
   /// a cutter would have nothing left of its core or of its neck.
   std::optional<std::vector<Pass>> smallest_cutters() const;
-  /// Whether those are the ones that leave most: no corner's radius and no neck's room is in the
-  /// way of that.
-  bool smallest_is_extreme() const;
   /// What they sweep, lengths of tools included and shifts that all share not; of gouge with the
   /// parts of shanks and holders that come lower than `highest_mm` for any values. `grown_mm` is
   /// added to the length of flutes and parts.

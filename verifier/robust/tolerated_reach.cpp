@@ -1,6 +1,15 @@
 #include "verifier/robust/tolerated_reach.h"
 
+#include <algorithm>
+
 namespace limitgauge::verifier {
+namespace {
+
+bool has_same_cutter(const Pass& a, const Pass& b) {
+  return to_text(a.cutter) == to_text(b.cutter);
+}
+
+}  // namespace
 
 ToleratedReach::Searched::Searched(const StageScene& scene, std::span<const Pass> passes,
                                    const StageCheck& check, double area_mm2,
@@ -19,10 +28,13 @@ ToleratedReach::ToleratedReach(const StageScene& scene, const model::Tolerances&
   const auto search = [&](std::span<const Pass> with) {
     return std::make_unique<const Searched>(scene, with, check, area_mm2, control);
   };
-  extreme_searched_ = search(box.cutters_at(box.extreme(Side::uncut)));
-  extreme_ = any_ = &extreme_searched_->query;
-  if (box.smallest_is_extreme()) return;
+  const std::vector<Pass> extreme = box.cutters_at(box.extreme(Side::uncut));
   const auto smallest = box.smallest_cutters();
+  extreme_searched_ = search(extreme);
+  extreme_ = any_ = &extreme_searched_->query;
+  // The same but for corners' radii and necks.
+  if (smallest && std::equal(extreme.begin(), extreme.end(), smallest->begin(), has_same_cutter))
+    return;
   if (smallest) any_searched_ = search(*smallest);
   any_ = smallest ? &any_searched_->query : nullptr;
 }

@@ -6,6 +6,7 @@
 
 #include "model/base/angle.h"
 #include "simulator/process/turning/trailing_contact.h"
+#include "simulator/sweep/depth_bound.h"
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
@@ -232,9 +233,7 @@ bool AxesCheck::backs_out(std::size_t i) const {
   if (begin == 0 || begin > i || aside_mm > limits_.slightest_mm()) return false;
   const Vec3 &tip = move_from(path_, begin), &axis = axis_from(*pass_.axes, begin);
   const model::Box3 box = bounding_box(solids_.front().solid.raw());
-  const Vec3 half = box.size() * 0.5;
-  const double top_mm = dot(box.centre() - tip, axis) + std::abs(axis.x) * half.x +
-                        std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
+  const double top_mm = dot(box.centre() - tip, axis) + support(box.size() * 0.5, axis);
   return bodies_.flutes.profile.length() >= top_mm;
 }
 

@@ -54,7 +54,9 @@ class ContactSearch {
     // What covers the block around this one mostly covers it too, and saves the search.
     if (bound_under(block, s) <= enough()) return;
     block.cover = cover_at(material_, block.middle, block.cover);
-    block.bound = std::min(bound_under(block, s), bound_under_two(block, s));
+    const Depth own = depth_under(material_, block.cover, block.middle, block.half);
+    if (depth_bound(own, s, block.half) <= enough()) return;
+    block.bound = bound_under_two(block, own, s);
     if (block.bound <= enough()) return;
     offer(block, s);
     // Smaller blocks than this cannot hide a contact of 1.5 tolerances from their middle.
@@ -67,8 +69,7 @@ class ContactSearch {
   }
 
   // With what covers the block where its own cover leaves most.
-  double bound_under_two(const Block& block, const SweptSample& body) const {
-    const Depth own = depth_under(material_, block.cover, block.middle, block.half);
+  double bound_under_two(const Block& block, const Depth& own, const SweptSample& body) const {
     Vec3 farthest = block.middle;
     for (int axis = 0; axis < 3; ++axis)
       farthest[axis] += std::copysign(block.half[axis], own.gradient[axis]);

@@ -219,6 +219,7 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   model::return_freed_memory();
   measure(index, ran);
   if (passed_by_) stage.limits = {};
+  note_fixtures(setups_.job_at(index), setups_.inputs_at(index), ran);
   to_part_frame(ran, stage.setup.from_part.inverse());
   model::return_freed_memory();
   const std::vector<verifier::ProcessFault> faults = process_faults(ran.process);

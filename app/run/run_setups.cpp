@@ -39,4 +39,17 @@ void to_part_frame(reports::StageRun& ran, const model::Pose& to_part) {
   if (ran.deviation) verifier::turn(*ran.deviation, to_part);
 }
 
+void note_fixtures(const Job& at_setup, const RunInputs& inputs, reports::StageRun& ran) {
+  auto next = inputs.fixtures.begin();
+  for (const JobFixture& fixture : at_setup.fixtures) {
+    const bool loaded = !fixture.mount.with_tool();
+    if (loaded && (!ran.axes || fixture.mount.kind == FixtureMount::Kind::part)) {
+      ran.fixtures.push_back(*next);
+    } else {
+      ran.moving_fixtures.push_back(fixture.name);
+    }
+    if (loaded) ++next;
+  }
+}
+
 }  // namespace limitgauge::app

@@ -51,4 +51,8 @@ class RunSetups {
 /// What was found in a setup's frame, as it lies in the part's.
 void to_part_frame(reports::StageRun& ran, const model::Pose& to_part);
 
+/// The fixtures that a page draws about the part, and the names of those that move against it while
+/// a stage of the view `at_setup` runs.
+void note_fixtures(const Job& at_setup, const RunInputs& inputs, reports::StageRun& ran);
+
 }  // namespace limitgauge::app

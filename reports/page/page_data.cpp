@@ -6,6 +6,7 @@
 #include "reports/page/blocks.h"
 #include "reports/page/field_data.h"
 #include "reports/page/findings_data.h"
+#include "reports/page/fixture_data.h"
 #include "reports/page/path_view.h"
 #include "reports/page/stock_data.h"
 #include "reports/page/surface_data.h"
@@ -125,6 +126,8 @@ Json stage_json(const StageResult& stage, std::size_t index) {
               {"uncuts_total", 0},
               {"process", Json::array()},
               {"process_total", 0},
+              {"fixtures", Json::array()},
+              {"moving_fixtures", Json::array()},
               {"field", nullptr},
               {"path", nullptr}};
   if (stage.allowance_mm) out["allowance_mm"] = *stage.allowance_mm;
@@ -161,6 +164,7 @@ class Writer {
                  {"verdict", verifier::name(result_.verdict)},
                  {"bounds_mm", {point_json(box.low), point_json(box.high)}},
                  {"surfaces", surfaces_.json()},
+                 {"fixtures", fixtures_.json()},
                  {"stages", std::move(stages)},
                  {"blob_bytes", 0}};
     if (const MeshDesign* mesh = result_.mesh_design()) json["triangles"] = triangles(*mesh);
@@ -183,10 +187,18 @@ class Writer {
     out["text"] = text_data(result_, index, blob_);
     if (!asked.ran) return out;
     out.update(findings_data(*asked.ran, result_.mesh_design()));
+    add_fixtures(asked, out);
     if (asked.ran->deviation) add_deviation(*asked.ran->deviation, out);
     if (asked.ran->stock_view) out["stock"] = stock_data(*asked.ran->stock_view, blob_);
     if (asked.ran->path_view) out["path"] = path_data(*asked.ran->path_view, blob_);
     return out;
+  }
+
+  void add_fixtures(const StageResult& stage, Json& out) {
+    for (const model::Fixture& fixture : stage.ran->fixtures)
+      out["fixtures"].push_back(fixtures_.add(fixture, stage.setup.from_part.inverse(), blob_));
+    for (const std::string& name : stage.ran->moving_fixtures)
+      out["moving_fixtures"].push_back(clean_text(name));
   }
 
   void add_deviation(const verifier::StageDeviation& d, Json& out) {
@@ -212,6 +224,7 @@ class Writer {
   const RunResult& result_;
   Blob blob_;
   Surfaces surfaces_;
+  Fixtures fixtures_;
 };
 
 }  // namespace

@@ -5,16 +5,13 @@
 namespace limitgauge::reports::page {
 
 Json stock_data(const StockView& view, Blob& blob) {
-  std::vector<std::int32_t> corners;
-  for (const auto& triangle : view.mesh.triangles)
-    for (const std::uint32_t v : triangle) corners.push_back(static_cast<std::int32_t>(v));
   std::vector<std::uint32_t> stage, move, line;
   for (const StockView::Maker& maker : view.makers) {
     stage.push_back(maker.pass);
     move.push_back(maker.move), line.push_back(maker.line);
   }
   return {{"position", points_block(on_grid(view.mesh.vertices), blob)},
-          {"triangle", blob.add(corners, 3)},
+          {"triangle", blob.add(corners_of(view.mesh.triangles), 3)},
           {"maker", blob.add(stage)},
           {"move", blob.add(move)},
           {"line", blob.add(line)},

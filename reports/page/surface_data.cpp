@@ -86,6 +86,14 @@ Json points_block(const GridPoints& points, Blob& blob) {
   return {{"block", blob.add(points.multiples, 3)}, {"step_mm", points.step_mm}};
 }
 
+std::vector<std::int32_t> corners_of(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<std::int32_t> corners;
+  corners.reserve(3 * triangles.size());
+  for (const auto& triangle : triangles)
+    for (const std::uint32_t v : triangle) corners.push_back(static_cast<std::int32_t>(v));
+  return corners;
+}
+
 std::size_t Surfaces::add(const DeviationField& field, const PageGrid& grid, Blob& blob) {
   std::vector<model::Vec3> places;
   visit_page_samples(grid, [&](std::size_t k) { places.push_back(field.samples[k].place.point); });

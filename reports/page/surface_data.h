@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "reports/page/blocks.h"
@@ -61,5 +63,7 @@ struct GridPoints {
 GridPoints on_grid(const std::vector<model::Vec3>& points);
 /// {"block", "step_mm"} of points.
 Json points_block(const GridPoints& points, Blob& blob);
+/// The vertices of triangles, three in turn.
+std::vector<std::int32_t> corners_of(std::span<const std::array<std::uint32_t, 3>> triangles);
 
 }  // namespace limitgauge::reports::page

@@ -11,6 +11,7 @@
 #include "model/gcode/program_path.h"
 #include "model/machine/machine_setup.h"
 #include "model/part/cage.h"
+#include "model/part/fixture.h"
 #include "model/part/setup.h"
 #include "model/part/tolerances.h"
 #include "reports/page/path_view.h"
@@ -95,6 +96,8 @@ struct StageRun {
   /// How the frame that `stock` lies in lies in the part's: that of the stage's setup, or of one
   /// before it where a stage passed the stock by.
   model::Pose stock_to_part;
+  std::vector<model::Fixture> fixtures;  ///< that stand still about the part, in the stage's frame
+  std::vector<std::string> moving_fixtures;   ///< names of those that do not
   std::vector<simulator::Finding> process;    ///< in the order of moves
   simulator::StockAgreement agreement;        ///< of the two stock models
   simulator::Removal removal;                 ///< its moves are let go with the stock

@@ -135,3 +135,31 @@ test('drag turns, wheel zooms, buttons give the fixed directions', () =>
       assert.ok(scale_mm > 10, 'the whole part again');
     }
   }));
+
+test('a fixture stands about the part and can be put away', () =>
+  withReport(browser, 'gouging', {}, async (page) => {
+    assert.deepEqual((await stateOf(page)).fixtures, ['clamp']);
+    const box = part(page, 'view-fixtures');
+    assert.ok(await box.isChecked());
+    // It is drawn there: what stands at its middle is another colour with it than without it.
+    await press(page, 'view-top');
+    await page.evaluate(() => window.limitgauge.view.scene.flyTo(
+      { point_mm: [60, 0, 0], normal: [0, 0, 1], distance_mm: 60 }));
+    const middle = async () => {
+      await settle(page);
+      const { x, y, width, height } = await showCanvas(page);
+      const clip = { x: x + width / 2 + 20, y: y + height / 2 + 20, width: 4, height: 4 };
+      return (await page.screenshot({ clip })).toString('base64');
+    };
+    const shown = await middle();
+    await box.uncheck();
+    assert.deepEqual((await stateOf(page)).fixtures, []);
+    assert.notEqual(await middle(), shown);
+    await box.check();
+    assert.equal(await middle(), shown);
+  }));
+
+test('a run without fixtures has no switch for them', () =>
+  withReport(browser, 'passed', {}, async (page) => {
+    assert.equal(await part(page, 'view-fixtures').count(), 0);
+  }));

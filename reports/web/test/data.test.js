@@ -3,6 +3,7 @@ import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { Blob32 } from '../src/data/blocks.js';
 import { decodeReport } from '../src/data/decode.js';
+import { decodeFixture } from '../src/data/fixture.js';
 import { decodeSurface } from '../src/data/surface.js';
 import { unpack } from '../src/data/unpack.js';
 
@@ -143,7 +144,7 @@ function smallPage({ axes } = {}) {
   }
   const unrun = { name: 't', ran: false, field: null, path: null,
     text: { line: packer.add([], 'u32'), utf8: packer.add([], 'u8') } };
-  const report = { format: 'limitgauge.page/1', job: 'j', surfaces, stages: [stage, unrun],
+  const report = { format: 'limitgauge.page/1', job: 'j', surfaces, fixtures: [], stages: [stage, unrun],
     blob_bytes: packer.bytes.length };
   return pageOf(report, packer.bytes);
 }
@@ -199,4 +200,16 @@ test('a browser without the means to unpack is told', async () => {
   } finally {
     globalThis.DecompressionStream = kept;
   }
+});
+
+test('a fixture stands where its numbers say', () => {
+  const packer = new Packer();
+  const block = packer.add([100, 0, 0, 110, 0, 0, 100, 10, 0, 100, 0, 10], 'i32', 1, 3);
+  const triangle = packer.add([0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3], 'i32', 1, 3);
+  const position = { block, step_mm: 0.5 };
+  const fixture = decodeFixture({ name: 'clamp', position, triangle, file_triangles: 4 }, packer.blob);
+  assert.equal(fixture.triangles, 4);
+  assert.deepEqual([...fixture.positions.subarray(3, 6)], [55, 0, 0]);
+  assert.deepEqual([...fixture.corners], [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
+  assert.throws(() => decodeFixture({ name: 'cut short', position, triangle }, new Blob32(new Uint8Array(9))));
 });

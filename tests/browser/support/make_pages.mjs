@@ -28,14 +28,18 @@ function run(words, name, expected) {
   if (expected !== 0) throw new Error(`${words.join(' ')} passed`);
 }
 
+/** Beside the plate, out of the tool's way. */
+const clamp = ['', '[[fixture]]', 'name = "clamp"', 'file = "clamp.obj"', 'translate = [60, 0, -5]', ''].join('\n');
+
 /** A groove of 60 µm in one row of the finish, off the floor of the plate. */
 function gougingJob() {
   const folder = join(out, 'gouging-job');
   mkdirSync(folder, { recursive: true });
   cpSync(join(fixtures, 'plate.obj'), join(folder, hostileCage));
+  cpSync(join(fixtures, '../findings/clamp.obj'), join(folder, 'clamp.obj'));
   const text = (name) => readFileSync(join(fixtures, name), 'latin1');
   const job = replaceOne(text('plate.toml'), '"plate.obj"', `'${hostileCage}'`);
-  writeFileSync(join(folder, 'plate.toml'), job);
+  writeFileSync(join(folder, 'plate.toml'), job + clamp);
   const groove = `N185 Y-4. ${hostileComment}\nN190 Z-0.06 X14.`;
   let gouging = replaceOne(text('plate.ngc'), 'N185 Y-4.\nN190 X14.', groove);
   // A comment as a German controller's editor stores it: no UTF-8.

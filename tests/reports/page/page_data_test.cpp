@@ -79,6 +79,40 @@ TEST_CASE("a finding's normal is that of the surface there", "[unit][page]") {
   for (int axis = 0; axis < 3; ++axis) CHECK(normal[axis] == at->normal[axis]);
 }
 
+namespace {
+
+/// A tetrahedron of 10 mm beside the part.
+model::Fixture clamp(double x_mm) {
+  return {"clamp", "clamp.stl",
+          std::make_shared<const model::TriangleMesh>(
+              model::TriangleMesh{{{x_mm, 0, 0}, {x_mm + 10, 0, 0}, {x_mm, 10, 0}, {x_mm, 0, 10}},
+                                  {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}})};
+}
+
+}  // namespace
+
+TEST_CASE("fixtures stand in the part's frame, the same one once for all stages", "[unit][page]") {
+  RunResult result = sample_result(Outcome::failed, 5);
+  StageResult& turned = result.stages[0];
+  // From the part's frame: a quarter turn about Z, so that x there is -y here.
+  turned.setup.from_part.rows = {model::Vec3{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+  turned.ran->fixtures = {clamp(50)};
+  turned.ran->moving_fixtures = {"chuck"};
+  result.stages[1].ran->fixtures = {clamp(50), clamp(-70), clamp(50)};
+  const json data = json_of(result);
+  REQUIRE(data["fixtures"].size() == 3);
+  CHECK(data["stages"][0]["fixtures"] == json{0});
+  CHECK(data["stages"][0]["moving_fixtures"] == json{"chuck"});
+  CHECK(data["stages"][1]["fixtures"] == json{1, 2, 1});
+  CHECK(data["stages"][1]["moving_fixtures"].empty());
+  CHECK(data["stages"][2]["fixtures"].empty());
+  const json& first = data["fixtures"][0];
+  CHECK(first["name"] == "clamp");
+  CHECK(first["file_triangles"] == 4);
+  CHECK(first["triangle"]["count"] == 12);
+  CHECK(first["position"]["block"]["count"] == 12);
+}
+
 TEST_CASE("lists of findings are cut, and say of how many", "[unit][page]") {
   RunResult result = sample_result(Outcome::failed, 5);
   auto& gouges = result.stages[1].ran->deviation->gouges;

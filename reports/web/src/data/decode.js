@@ -1,4 +1,5 @@
 import { Blob32 } from './blocks.js';
+import { decodeFixture } from './fixture.js';
 import { lazily } from './lazy.js';
 import { decodeStock } from './stock.js';
 import { decodeSurface } from './surface.js';
@@ -31,6 +32,7 @@ function decodeData(report, blob) {
     ...report,
     triangles: report.triangles && blob.numbers(blob.check(report.triangles)),
     surfaces: report.surfaces.map((surface) => decodeSurface(surface, blob)),
+    fixtures: report.fixtures.map((fixture) => decodeFixture(fixture, blob)),
     stages: report.stages.map((stage) => decodeStage(stage, report.surfaces, blob)),
   };
 }

@@ -11,6 +11,7 @@ import { createMarkers } from '../view/findings/markers.js';
 import { linkStaticFindings } from '../view/findings/static_links.js';
 import { attachHand } from '../view/scene/hand.js';
 import { createPicker } from '../view/scene/pick.js';
+import { createFixtures, fixtureToggle } from '../view/scene/fixtures.js';
 import { createTriad } from '../view/scene/triad.js';
 import { cutCurve } from '../view/section/section.js';
 import { createSectionPanel } from '../view/section/section_panel.js';
@@ -48,19 +49,19 @@ export class StockViewer {
       toggles: [
         { id: 'stock-shown', text: 'Stock', checked: true, change: (on) => this.showStock(on) },
         { id: 'view-path', text: 'Toolpath', checked: this.path, change: (on) => this.showPath(on) },
+        ...fixtureToggle(this.report, (on) => this.fixtures.show(on)),
       ],
     });
     this.hint = make('p', {
       class: 'view-hint', 'aria-hidden': 'true', text: 'Click here first, or hold Ctrl, to zoom with the wheel',
     });
     this.frame.append(make('i', { class: 'view-crosshair', 'aria-hidden': 'true' }), this.hint);
+    this.main = make('div', { class: 'view-main' }, [this.frame, this.readout.element]);
     return make('div', { class: 'view', id: this.panelId, data: { testid: 'stock-view' } }, [
       make('p', { class: 'view-lead', text: 'The stock as it was simulated, not the part as it should be: '
         + 'nothing was measured against a design. Drag to turn it; choose a finding to go there.' }),
       make('div', { class: 'view-head' }, [this.tabs.element, toolbar]),
-      make('div', { class: 'view-body' }, [
-        make('div', { class: 'view-main' }, [this.frame, this.readout.element]), this.findings.element,
-      ]),
+      make('div', { class: 'view-body' }, [this.main, this.findings.element]),
       this.colours.element, this.measure.element, this.section.element, this.pathPlace,
     ]);
   }
@@ -69,6 +70,8 @@ export class StockViewer {
     this.scene = scene;
     this.markers = createMarkers(scene, (id) => this.chooseFinding(id), () => false);
     createTriad(scene);
+    this.fixtures = createFixtures(scene, this.report);
+    this.main.append(this.fixtures.note);
     attachHand(scene, this.hand());
     this.measure.attach(scene);
     this.layer = createPathLayer(scene, this.report, 'Stock shows through');
@@ -114,6 +117,7 @@ export class StockViewer {
     this.colours.setChoices(choices);
     this.tabs.show(index);
     const stage = this.report.stages[index];
+    this.fixtures.showStage(stage);
     this.findings.showStage(stage);
     this.markers.show(findingsOf(stage));
     this.mark(null);
@@ -253,7 +257,7 @@ export class StockViewer {
     return {
       stage: this.stage, finding: this.finding?.id ?? null, moving: this.scene.moving(),
       colour: this.colours.chosen(this.current().choices).key, section: this.section.section(),
-      measure: this.measure.state(), path: this.path,
+      measure: this.measure.state(), path: this.path, fixtures: this.fixtures.state(),
     };
   }
 }

@@ -32,7 +32,7 @@ export function interfaceOf(viewer) {
 
 const sideOf = ({ limit_mm, end_mm, hasLimit }) => ({ limit: hasLimit ? limit_mm : null, end: end_mm });
 
-function stateOf({ scene, state, colours, section, layers }) {
+function stateOf({ scene, state, colours, section, layers, fixtures }) {
   const { focal, scale, azimuth, elevation, perspective } = scene.camera();
   return {
     stage: state.stage, finding: state.finding?.id ?? null, readout: state.reading,
@@ -47,5 +47,6 @@ function stateOf({ scene, state, colours, section, layers }) {
     },
     section: section.section(),
     layers: { map: layers.surface.look.map, borders: layers.surface.look.borders, path: state.path },
+    fixtures: fixtures.state(),
   };
 }

@@ -24,6 +24,7 @@ export function chooseStage(viewer, index) {
   state.stage = index;
   viewer.tabs.show(index);
   layers.surface.show(report.surfaces[stage.field.surface], stage.field);
+  viewer.fixtures.showStage(stage);
   viewer.findings.showStage(stage);
   viewer.markers.show(findingsOf(stage));
   viewer.scene.setInterest(findingsOf(stage).flatMap(({ point_mm }) => (point_mm ? [point_mm] : [])));

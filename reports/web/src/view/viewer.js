@@ -3,6 +3,7 @@ import { applyColours, applyLook, applySection } from './appearance.js';
 import { createColourPanel } from './colour/colour_panel.js';
 import { make, uniqueId } from '../base/dom.js';
 import { createFindingsPanel } from './findings/findings_panel.js';
+import { createFixtures, fixtureToggle } from './scene/fixtures.js';
 import { attachHand } from './scene/hand.js';
 import { interfaceOf } from './interface.js';
 import { createLegend } from './colour/legend.js';
@@ -32,6 +33,8 @@ export function createViewer(report, frame) {
     viewer.markers = createMarkers(scene, (id) => chooseFinding(viewer, id),
       (finding) => isBehind(viewer, finding));
     createTriad(scene);
+    viewer.fixtures = createFixtures(scene, report);
+    viewer.main.append(viewer.fixtures.note);
     attachHand(scene, handOf(viewer));
     viewer.path = createPathLayer(scene, report);
     viewer.pathPlace.append(viewer.path.element);
@@ -75,9 +78,11 @@ function buildElements(viewer, borders) {
         id: 'view-borders', text: 'Patch borders', checked: borders,
         change: (on) => applyLook(viewer, { borders: on }),
       },
+      ...fixtureToggle(report, (on) => viewer.fixtures.show(on)),
     ],
   });
   viewer.pathBox = () => toolbar.querySelector('[data-testid=view-path]');
+  viewer.main = make('div', { class: 'view-main' }, [frame, viewer.readout.element, viewer.legend.element]);
   viewer.element = make('div', { class: 'view', id: panelId, data: { testid: 'view' } }, [
     make('p', { class: 'view-lead' }, [
       make('b', { class: 'deep', text: 'Blue' }), ' is cut too deep, ',
@@ -85,10 +90,7 @@ function buildElements(viewer, borders) {
       'Drag to turn the part; choose a finding to go there.',
     ]),
     make('div', { class: 'view-head' }, [viewer.tabs.element, toolbar]),
-    make('div', { class: 'view-body' }, [
-      make('div', { class: 'view-main' }, [frame, viewer.readout.element, viewer.legend.element]),
-      viewer.findings.element,
-    ]),
+    make('div', { class: 'view-body' }, [viewer.main, viewer.findings.element]),
     viewer.colours.element, viewer.section.element, viewer.pathPlace,
   ]);
 }

@@ -31,6 +31,7 @@ export function createScene(container, report) {
   if (!window3d) return null;
   const { renderWindow, renderer, view, software } = window3d;
   const size_mm = length(subtract(bounds_mm[1], bounds_mm[0])) || 1;
+  const reach_mm = reachOf(report, size_mm);
   const listeners = { before: [], frame: [], theme: [], lost: [] };
   let camera = null, moving = false, lost = false;
   let frame = 0, frames = 0, restTimer = 0, slow = software, share = 1;
@@ -44,7 +45,7 @@ export function createScene(container, report) {
     const before = performance.now();
     resize(view, size(), moving ? share : 1);
     listeners.before.forEach((callback) => callback({ moving, slow }));
-    place(renderer.getActiveCamera(), camera, size_mm, bounds_mm);
+    place(renderer.getActiveCamera(), camera, { size_mm, bounds_mm, reach_mm });
     renderWindow.render();
     if (moving) {
       const took_ms = finish(view, before);
@@ -136,6 +137,18 @@ function outlinePoints({ surfaces, bounds_mm }) {
   return Array.from({ length: Math.ceil(count / step) }, (_, k) => pointAt(positions, k * step));
 }
 
+const middle = (bounds_mm) => scaled(add(...bounds_mm), 0.5);
+
+/** How far about the part's middle all is drawn: its size twice over, for toolpaths, and every fixture. */
+function reachOf({ bounds_mm, fixtures }, size_mm) {
+  const centre = middle(bounds_mm);
+  let reach_mm = 2 * size_mm;
+  for (const { positions } of fixtures)
+    for (let k = 0; k < positions.length / 3; ++k)
+      reach_mm = Math.max(reach_mm, length(subtract(pointAt(positions, k), centre)));
+  return reach_mm;
+}
+
 /** What vtk.js itself asks for. */
 const CONTEXT = { depth: true, alpha: true, powerPreference: 'high-performance' };
 
@@ -188,7 +201,7 @@ function nextShare(share, took_ms) {
   return took_ms < SLOW_FRAME_MS / 3 ? Math.min(1, share * 1.2) : share;
 }
 
-function place(vtkCamera, camera, size_mm, bounds_mm) {
+function place(vtkCamera, camera, { size_mm, bounds_mm, reach_mm }) {
   const { up, back } = axes(camera);
   const distance = eyeDistance(camera, size_mm);
   vtkCamera.setParallelProjection(!camera.perspective);
@@ -197,8 +210,6 @@ function place(vtkCamera, camera, size_mm, bounds_mm) {
   vtkCamera.setFocalPoint(...camera.focal);
   vtkCamera.setPosition(...add(camera.focal, scaled(back, distance)));
   vtkCamera.setViewUp(...up);
-  // The part's size twice over: toolpaths start well above the part.
-  const centre = scaled(add(...bounds_mm), 0.5);
-  const reach = 2 * size_mm + length(subtract(camera.focal, centre));
+  const reach = reach_mm + length(subtract(camera.focal, middle(bounds_mm)));
   vtkCamera.setClippingRange(Math.max(distance - reach, 0.01 * distance), distance + reach);
 }

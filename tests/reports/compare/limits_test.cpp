@@ -55,7 +55,8 @@ TEST_CASE("Limits of what is out of reach count as any other", "[unit][compare]"
 
 TEST_CASE("Limits of the process count as any other", "[unit][compare]") {
   record::RunRecord base = sample_run();
-  base.process_limits = {0.01, 0.5, model::Box3{{-10, -10, -5}, {10, 10, 90}}};
+  base.process_limits = {0.01, 0.5, model::Box3{{-10, -10, -5}, {10, 10, 90}}, std::nullopt,
+                         std::nullopt};
   const auto judged = [&](const auto& change) {
     record::RunRecord now = base;
     change(*now.process_limits);

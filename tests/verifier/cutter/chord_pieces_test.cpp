@@ -107,7 +107,7 @@ TEST_CASE("a path of many arcs has no more pieces than are allowed, and states t
   for (int k = 0; k < 400; ++k) program += "G3 I-4\n";
   const Toolpath path = path_of(program);
   const ChordPieces pieces(path);
-  CHECK(pieces.count() <= kMostArcPieces);
+  CHECK(static_cast<double>(pieces.count()) <= kMostArcPieces);
   CHECK(pieces.error_mm() > 2 * kArcPiece_mm);
   CHECK(pieces.error_mm() < path.chord_error_mm / 10);
   double worst_mm = 0;

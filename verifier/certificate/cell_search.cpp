@@ -50,6 +50,14 @@ OffsetCell as_spot(const RidgeCell&, const OffsetCell& o) {
   return o;
 }
 
+/// A millionth of the cell about its middle, with the middle's normal.
+OffsetCell shrunk(OffsetCell o) {
+  constexpr double kShrunk = 1e-6;
+  for (int k = 0; k < 16; ++k) o.shape.set(k, o.middle + (o.shape.control(k) - o.middle) * kShrunk);
+  o.remainder *= kShrunk, o.spread_rad *= kShrunk;
+  return o;
+}
+
 /// Longest way of a cell, as a multiple of the shorter, beyond which only that is halved: bounds on
 /// bent cells are no better for slivers, those on a plane beside a straight edge are.
 constexpr double kLongest = 8, kLongestOnPlane = 64;
@@ -144,6 +152,7 @@ class CellSearch {
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (tiny && out_of_reach) return;
     if (tiny && bounds_.surely_within(as_spot(cell, offset), goal())) return out_.cover(goal());
+    if (!tiny && !out_of_reach && ends_at_errors(cell, offset)) return;
     const auto strips = tiny ? std::nullopt : within_strips(cell, offset);
     if (strips && *strips) return out_.cover(goal());
     if (tiny || spent()) return give_up(offset);
@@ -156,6 +165,41 @@ class CellSearch {
 
   bool is_small_to_sway(const OffsetCell& offset) const {
     return control_radius(offset.shape, offset.middle) < length(task_.space.sway());
+  }
+
+  /// Of moves that have errors of their own: whether those, not the cell's size, keep it from the
+  /// goal. What they take from the bound at the middle they take from that of every cell about it:
+  /// `high` is raised to what is proven there, and no cell need be better than that.
+  template <class Cell>
+  bool ends_at_errors(const Cell& cell, const OffsetCell& offset) {
+    constexpr double kSmall = 4, kSmallest = 0.25;
+    if (!task_.draws) return false;
+    const double radius = control_radius(offset.shape, offset.middle);
+    if (radius > kSmall * task_.draws->own_errors_mm()) return false;
+    // Where bounds leap, as beside a wall, the middle may lie on the better side.
+    const bool may_leap = radius < kSmallest * task_.request.resolution_mm && out_.high > goal();
+    if (may_leap && bounds_.surely_within(offset, out_.high)) return true;
+    const OffsetCell spot = shrunk(offset);
+    if (bounds_.surely_within(spot, goal()) ||
+        !task_.counts(cell, place_of(cell, offset.middle), offset.normal))
+      return false;
+    if (task_.request.decides_only) {
+      out_.cover(std::numeric_limits<double>::infinity());
+    } else {
+      out_.cover(proven_at(spot));
+    }
+    return bounds_.surely_within(offset, out_.high);
+  }
+
+  /// A length within which the spot is proven to be, the least of them within a share of the
+  /// resolution that is above the goal and what `high` is already.
+  double proven_at(const OffsetCell& spot) {
+    constexpr double kShareOfSpot = 0.25;
+    const double longest = bounds_.longest_mm();
+    double step = kShareOfSpot * task_.request.resolution_mm;
+    double length = std::max(goal(), out_.high);
+    while (length < longest && !bounds_.surely_within(spot, length)) length += step, step *= 1.25;
+    return std::min(length, longest);
   }
 
   /// Behind a sharp edge a cell may stand at the goal with its middle only, and above it as a

@@ -25,6 +25,8 @@ struct Draws {
   /// all moves shows: no interval is narrower.
   double gap_mm = 0;
 
+  /// What errors that each move has for itself take from every bound, about.
+  double own_errors_mm() const { return path_mm + gap_mm; }
   /// The middle of the shifts moved by a share of their half widths, −1 to 1 along each axis.
   model::Vec3 shift(double x, double y) const {
     return middle_mm + model::Vec3{x * half_mm.x, y * half_mm.y, 0};

@@ -128,6 +128,7 @@ struct RobustFigure {
   /// How the run there grows with each value, mm per mm.
   std::vector<NamedLength> sensitivity;
   bool reached_resolution = true;
+  std::size_t cells = 0;                  ///< that were looked at, without those of the margin
   std::optional<ToleranceMargin> margin;  ///< only of a figure with a limit
 };
 

@@ -131,6 +131,7 @@ RobustFigure robust_figure(const RobustScene& scene, Side side, const model::Tol
   RobustFigure out;
   out.figure_mm = found.certificate.figure_mm;
   out.reached_resolution = found.certificate.reached_resolution;
+  out.cells = found.certificate.cells;
   if (!found.values) return out;
   out.place = found.certificate.witness->place;
   out.normal = found.certificate.witness->normal;

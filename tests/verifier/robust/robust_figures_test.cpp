@@ -116,6 +116,39 @@ TEST_CASE("on a slope a shift of the zero counts along the normal, as one of all
   CHECK(value_at(d.robust->uncut, "zero.x") == -0.002);
 }
 
+TEST_CASE("where errors of single moves are wider than the resolution, few cells are looked at",
+          "[unit]") {
+  const double slope = 0.2231;
+  const ReferenceSurface plane(plane_cage(4, slope, 0));
+  model::Cutter bull = flat_cutter(1.553);
+  bull.type = model::CutterType::bull, bull.corner_radius_mm = 0.377;
+  // Rows a cutter's radius apart, each on its own height: where the wall of one meets the floor of
+  // the next a shift of one of them takes the whole step away.
+  model::Toolpath path;
+  path.start = {-4.67, -6, 50};
+  for (const Vec3& tip : {Vec3{-4.67, -6, -0.7807},
+                          {-4.67, 6, -0.7807},
+                          {-3.13, 6, -0.4338},
+                          {-3.13, -6, -0.4366},
+                          {-1.588, -6, -0.0926},
+                          {-1.588, 6, -0.0926}})
+    feed_to(path, tip);
+  const std::vector<Pass> passes{{bull, shared(path)}};
+  Tolerances t;
+  t.zero_mm = {Interval{-0.0016, 0.0001}, about(0.0005), about(0)};
+  t.path_mm = 0.0019, t.runout_mm = 0.0016, t.positioning_mm = {0, 0.0026, 0};
+  StageCheck check = check_of(t);
+  check.resolution_mm = 0.002;
+  const RobustFigure uncut = measured(plane, passes, check).robust->uncut;
+  // Each move may part from the others by p + q, which the flank makes more of: more than the
+  // resolution, and no more than its own steepness makes of it.
+  const double width = uncut.figure_mm.high - uncut.figure_mm.low;
+  CHECK(width > check.resolution_mm);
+  CHECK(width < 8 * (0.0019 + 0.0026));
+  // Without an end at those errors it is all that there may be, 240,992, and `high` is 0.6 mm more.
+  CHECK(uncut.cells < 100'000);
+}
+
 TEST_CASE("without a width a range is a measured value", "[unit]") {
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   const std::vector<Pass> passes{

@@ -17,6 +17,10 @@ constexpr int kMostSearches = 80;
 constexpr std::size_t kMostKnown = 24;
 /// Share of its depth by which the deepest point may be missed: any deep point serves.
 constexpr double kBlockShare = 0.01;
+/// Places that one search for such a point may look at: along a wall that a cutter glides along, or
+/// a face that lies against its bottom, nothing tells one place from the next. What was found until
+/// then is a point nearer than the limit as well; nothing found means nothing proven.
+constexpr int kMostPlaces = 4096;
 
 /// Widest piece of a circle that a hull of its tangents stands for.
 constexpr double kWidestHull_rad = 0.8;
@@ -36,15 +40,17 @@ struct LowSearch {
   double start_mm, least_mm;
   bool any = false;
   std::optional<Vec3> found = {};
+  int looks = 0;
 
   double enough() const {
-    if (any && found) return -std::numeric_limits<double>::infinity();
+    if (looks > kMostPlaces || (any && found)) return -std::numeric_limits<double>::infinity();
     return least_mm - kBlockShare * (start_mm - least_mm);
   }
   void see(const Vec3& p, double value_mm) {
     if (value_mm < least_mm) least_mm = value_mm, found = p;
   }
   void descend(const Bezier& cell) {
+    ++looks;
     const Vec3 centre = middle(cell);
     const BodyDistance d = function(centre);
     see(centre, d.value);

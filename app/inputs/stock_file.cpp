@@ -1,5 +1,6 @@
 #include "app/inputs/stock_file.h"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace limitgauge::app {
 namespace {
 
 model::MeshStock stock_of(model::TriangleMesh mesh, const std::string& as_stated, double voxel_mm) {
-  return {std::make_shared<const model::TriangleMesh>(std::move(mesh)), as_stated, voxel_mm};
+  return {std::make_shared<const model::TriangleMesh>(std::move(mesh)), as_stated, voxel_mm, 0};
 }
 
 StockFile near_stock(const std::filesystem::path& file, StockFile loaded) {
@@ -52,12 +53,16 @@ StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& 
 StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated) {
   simulator::VdbStock read = simulator::read_vdb_stock(file);
   StockFile loaded;
-  loaded.assumptions.push_back("stock " + as_stated +
-                               ": taken as the triangle mesh of its zero set at a voxel of " +
-                               model::shortest(read.voxel_mm) +
-                               " mm; nothing is known of what cut it, nor of fins and slots "
-                               "thinner than that, which such a file may lack");
+  loaded.assumptions.push_back(
+      "stock " + as_stated + ": taken as the triangle mesh of its zero set at a voxel of " +
+      model::shortest(read.voxel_mm) +
+      " mm; nothing is known of what cut it, nor of fins and slots "
+      "thinner than that, which such a file may lack; its edges are blunt by up to " +
+      model::shortest(std::ceil(read.blunt_mm * 1000) / 1000) +
+      " mm, so that leftovers of it are taken to stand out that much more, and by as much grooves "
+      "may be deeper and contacts with it be missed");
   loaded.stock = stock_of(std::move(read.mesh), as_stated, read.voxel_mm);
+  loaded.stock.blunt_mm = read.blunt_mm;
   return near_stock(file, std::move(loaded));
 }
 

@@ -39,6 +39,8 @@ struct Checker {
     if (stock.mesh == nullptr) throw std::invalid_argument("stock without its mesh");
     if (const auto defect = find_defect(*stock.mesh))
       throw std::invalid_argument("stock mesh: " + defect->wrong);
+    if (!std::isfinite(stock.blunt_mm) || stock.blunt_mm < 0)
+      throw std::invalid_argument("how far a stock's edges stand out must not be negative");
     if (!std::isfinite(stock.voxel_mm) || stock.voxel_mm < 0)
       throw std::invalid_argument("the voxel of the stock must not be negative");
   }
@@ -146,6 +148,11 @@ Stock planned_stock(const Stock& stock) {
 
 Box3 bounding_box(const Stock& stock) {
   return std::visit(Bounds{}, stock);
+}
+
+double blunt_mm(const Stock& stock) {
+  const auto* mesh = std::get_if<MeshStock>(&stock);
+  return mesh ? mesh->blunt_mm : 0;
 }
 
 void require_valid(const Stock& stock) {

@@ -23,12 +23,20 @@ struct CylinderStock {
   double height_mm = 0;
 };
 
+/// Voxels that an edge or a corner of a solid may stand out beyond the zero set of its level set:
+/// the diagonal of a cell. Where the zero set is further away than that all nodes about a place are
+/// outside, and what stands there is thinner than a voxel.
+inline constexpr double kBluntVoxels = 1.7320508075688772;
+
 /// Raw stock: the solid that a closed triangle mesh bounds, in the job's frame. Never null in a
 /// valid stock.
 struct MeshStock {
   std::shared_ptr<const TriangleMesh> mesh;
   std::string file;     ///< as the job states it
   double voxel_mm = 0;  ///< 0: `file` is a mesh; else the voxel of the `.vdb` it was taken from
+  /// How far edges of what the `.vdb` was written of may stand out beyond the mesh: kBluntVoxels of
+  /// it and of each stock before that it came from; of a mesh 0.
+  double blunt_mm = 0;
 };
 
 /// Raw stock: a block or a bar that does not stand along the axes.
@@ -38,6 +46,9 @@ struct LeaningStock {
 };
 
 using Stock = std::variant<BoxStock, CylinderStock, MeshStock, LeaningStock>;
+
+/// MeshStock::blunt_mm; of any other stock 0.
+double blunt_mm(const Stock& stock);
 
 /// Of a mesh, one look at every triangle: keep it where it is asked for often.
 Box3 bounding_box(const Stock& stock);

@@ -69,10 +69,13 @@ openvdb::FloatGrid::ConstPtr turned(const openvdb::FloatGrid& grid, const model:
       grid.copyGridReplacingTransform(openvdb::math::Transform::createLinearTransform(matrix)));
 }
 
-void write_grid(const openvdb::FloatGrid& grid, const std::filesystem::path& file) {
+void write_grid(const openvdb::FloatGrid& grid, const std::filesystem::path& file,
+                double blunt_mm) {
   try {
-    // Writing a grid notes statistics in its metadata: give it a shallow copy of its own.
-    const openvdb::GridCPtrVec grids = {grid.copyGrid()};
+    // Writing a grid notes statistics in its metadata, too: give it a shallow copy of its own.
+    openvdb::MetaMap meta(grid);
+    meta.insertMeta(kBluntName, openvdb::DoubleMetadata(blunt_mm));
+    const openvdb::GridCPtrVec grids = {grid.copyGridReplacingMetadata(meta)};
     model::write_file(file, [&](std::ostream& out) { GridWriter().write_to(out, grids); });
     fix_identifier(file);
   } catch (const openvdb::Exception&) {

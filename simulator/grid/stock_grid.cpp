@@ -215,9 +215,10 @@ std::variant<model::TriangleMesh, NetSize> StockGrid::mesh_within(double most_by
   return surface_net_within(most_bytes, source, impl_->lattice, placers, control);
 }
 
-void StockGrid::write(const std::filesystem::path& file, const model::Pose& pose) const {
-  if (pose == model::Pose{}) return write_grid(*impl_->grid, file);
-  write_grid(*vdb::turned(*impl_->grid, pose), file);
+void StockGrid::write(const std::filesystem::path& file, const model::Pose& pose,
+                      double blunt_mm) const {
+  if (pose == model::Pose{}) return write_grid(*impl_->grid, file, blunt_mm);
+  write_grid(*vdb::turned(*impl_->grid, pose), file, blunt_mm);
 }
 
 struct GridLeaves::Impl {

@@ -83,7 +83,7 @@ class StockGrid {
                                                          const MakePlacer& placers,
                                                          const model::RunControl& control) const;
   /// Throws ResourceError when the file cannot be written.
-  void write(const std::filesystem::path& file, const model::Pose& pose) const;
+  void write(const std::filesystem::path& file, const model::Pose& pose, double blunt_mm) const;
 
  private:
   friend class GridLeaves;

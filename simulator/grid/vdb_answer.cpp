@@ -18,6 +18,7 @@ constexpr char kStock = 's', kRefusal = 'r', kShortage = 'm';
 struct Header {
   double voxel_mm = 0;
   std::uint64_t vertices = 0, triangles = 0;
+  double blunt_mm = 0;
 };
 
 template <class T>
@@ -38,13 +39,14 @@ std::optional<std::vector<T>> take(std::string_view& bytes, std::uint64_t count)
 std::optional<VdbStock> stock_of(std::string_view bytes) {
   const auto header = take<Header>(bytes, 1);
   if (!header) return std::nullopt;
-  const auto [voxel_mm, vertices, triangles] = header->front();
+  const auto [voxel_mm, vertices, triangles, blunt_mm] = header->front();
   if (!(voxel_mm > 0) || !std::isfinite(voxel_mm)) return std::nullopt;
+  if (!(blunt_mm > 0) || !std::isfinite(blunt_mm)) return std::nullopt;
   auto points = take<model::Vec3>(bytes, vertices);
   if (!points) return std::nullopt;
   auto corners = take<std::array<std::uint32_t, 3>>(bytes, triangles);
   if (!corners || !bytes.empty()) return std::nullopt;
-  return VdbStock{{std::move(*points), std::move(*corners)}, voxel_mm};
+  return VdbStock{{std::move(*points), std::move(*corners)}, voxel_mm, blunt_mm};
 }
 
 /// Words may hold what stands in the file: no control characters reach the reader's terminal.
@@ -59,7 +61,7 @@ std::string printable(std::string_view words) {
 
 std::string vdb_answer(const VdbStock& stock) {
   const model::TriangleMesh& mesh = stock.mesh;
-  const Header header{stock.voxel_mm, mesh.vertices.size(), mesh.triangles.size()};
+  const Header header{stock.voxel_mm, mesh.vertices.size(), mesh.triangles.size(), stock.blunt_mm};
   std::string bytes(1, kStock);
   bytes.reserve(1 + sizeof header + mesh.vertices.size() * sizeof mesh.vertices[0] +
                 mesh.triangles.size() * sizeof mesh.triangles[0]);

@@ -16,8 +16,10 @@
 #include "model/base/error.h"
 #include "model/geometry/pose.h"
 #include "model/mesh/mesh_soup.h"
+#include "model/part/stock.h"
 #include "model/text/message_text.h"
 #include "model/text/number_text.h"
+#include "simulator/grid/grid_file.h"
 #include "simulator/grid/vdb_answer.h"
 #include "simulator/mesh/tetrahedra.h"
 #include "simulator/tolerance.h"
@@ -243,6 +245,23 @@ model::TriangleMesh zero_set(const openvdb::FloatGrid& grid, const GridPlace& pl
 
 }  // namespace
 
+namespace {
+
+// What the file says of the stock that it was written of, no less than its voxels allow; a file of
+// another program says nothing.
+double blunt_of(const openvdb::FloatGrid& grid, double voxel_mm) {
+  const double own_mm = model::kBluntVoxels * voxel_mm;
+  const auto said = grid.getMetadata<openvdb::DoubleMetadata>(vdb::kBluntName);
+  if (!said) return own_mm;
+  constexpr double kMost_mm = 1e4;
+  if (!(said->value() >= 0) || said->value() > kMost_mm)
+    refuse(std::string(vdb::kBluntName) + " is " + model::shortest(said->value()),
+           "millimetres from 0 to 10000");
+  return std::max(said->value(), own_mm);
+}
+
+}  // namespace
+
 struct VdbReading::Grid {
   openvdb::FloatGrid::ConstPtr grid;
 };
@@ -253,7 +272,8 @@ VdbReading::VdbReading(const std::filesystem::path& path)
 VdbStock VdbReading::stock(std::size_t memory_limit_bytes) const {
   const openvdb::FloatGrid& grid = *grid_->grid;
   const GridPlace place = place_of(grid.transform());
-  return {zero_set(grid, place, memory_limit_bytes), place.lattice.voxel_mm};
+  const double voxel_mm = place.lattice.voxel_mm;
+  return {zero_set(grid, place, memory_limit_bytes), voxel_mm, blunt_of(grid, voxel_mm)};
 }
 
 std::string vdb_answer_about(const std::filesystem::path& path, std::size_t memory_limit_bytes,

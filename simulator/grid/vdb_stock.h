@@ -11,12 +11,13 @@ namespace limitgauge::simulator {
 struct VdbStock {
   model::TriangleMesh mesh;
   double voxel_mm = 0;
+  double blunt_mm = 0;  ///< as MeshStock has it, by the file's word where it says so
 };
 
 inline constexpr std::size_t kVdbMemoryLimit = std::size_t{4} << 30;
 
 /// The closed triangle mesh of the zero set of a level set, as tetrahedra.h has it; where faces
-/// of the stock meet, it cuts the edge off by less than a voxel. The file holds one grid, or one
+/// of the stock meet, it cuts the edge off, by `blunt_mm` at most. The file holds one grid, or one
 /// named "stock": single precision, a level set, cubic voxels, turned and moved at most,
 /// millimetres. Throws InputError for everything else that OpenVDB can tell, ResourceError where
 /// the mesh would need more than `memory_limit_bytes`.

@@ -258,7 +258,8 @@ StockMesh StockModel::surface_mesh(const RunControl& control) const {
 }
 
 void StockModel::write_vdb(const std::filesystem::path& file, const model::Pose& pose) const {
-  state_->grid.write(file, pose);
+  const double own_mm = model::kBluntVoxels * state_->coarsening * state_->lattice.voxel_mm;
+  state_->grid.write(file, pose, own_mm + model::blunt_mm(state_->material.raw().stock()));
 }
 
 }  // namespace limitgauge::simulator

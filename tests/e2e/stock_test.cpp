@@ -1,5 +1,8 @@
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/e2e/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_shapes.h"
@@ -119,6 +122,45 @@ TEST_CASE("a finish from the stock that roughing left", "[e2e][stock]") {
   };
   // The .vdb cuts edges of the rough stock off by up to a voxel.
   CHECK(removed(second) == Approx(removed(both)).epsilon(0.02));
+}
+
+// A voxel's edges are blunt: a cusp that one job leaves, and measures, is lower in its stock.vdb.
+TEST_CASE("a cusp that an earlier run left is not passed for being blunt", "[e2e][stock]") {
+  const Scratch scratch;
+  write_text(scratch / "sheet.obj",
+             "v 1 8.25 0\nv 19 8.25 0\nv 19 12.25 0\nv 1 12.25 0\nf 1 2 3\nf 1 3 4\n");
+  const std::string first = "G0 X-10 Y8.25 Z20\nG0 Z0\nG1 X30 F500\nG0 Z20\n";
+  const auto program = [](const std::string& moves) {
+    return "G21 G90 G17 G94\nT1 M6\nS1000 M3\n" + moves + "M30\n";
+  };
+  write_text(scratch / "both.ngc", program(first + "G0 X-10 Y12.25\nG0 Z0\nG1 X30\nG0 Z20\n"));
+  write_text(scratch / "again.ngc", program(first));
+  const std::string tool = "1=ball:D=6,L=20";
+  REQUIRE(limitgauge(scratch, {"cut", "--stock", "box:20,20,10@0,0,-5", "--tool", tool, "--program",
+                               "both.ngc", "--voxel", "0.5", "--no-pictures", "-o", "cut"})
+              .exit_code == 0);
+  const auto uncut = [&](const std::string& stock, const std::string& file, const std::string& out,
+                         int expected) {
+    const Outcome outcome = limitgauge(
+        scratch, {"verify", "--target", "sheet.obj", "--stock", stock, "--tool", tool, "--program",
+                  file, "--gouge", "0.05", "--uncut", "0.7", "--no-pictures", "-o", out});
+    INFO(outcome.out << outcome.errors);
+    CHECK(outcome.exit_code == expected);
+    return json::parse(read_text(scratch / (out + "/result.json")))["stages"][0]["deviation"];
+  };
+  // Two rows 4 mm apart of a ball of 3 mm.
+  const double cusp = 3 - std::sqrt(9 - 2 * 2);
+  const json whole = uncut("box:20,20,10@0,0,-5", "both.ngc", "whole", 1);
+  CHECK(whole["uncut_mm"]["low"] > 0.7);
+  CHECK(whole["uncut_mm"]["high"] >= cusp);
+  const json chain = uncut("vdb:cut/program/stock.vdb", "again.ngc", "chain", 2);
+  CHECK(chain["uncut_mm"]["low"] < cusp);
+  CHECK(chain["uncut_mm"]["high"] > cusp);
+  const auto& terms = chain["uncertainty"];
+  CHECK(std::any_of(terms.begin(), terms.end(), [](const json& term) {
+    return term["source"] == "edges of the stock, blunt by its voxels" &&
+           std::abs(term["bound_mm"].get<double>() - std::sqrt(0.75)) < 1e-12;
+  }));
 }
 
 TEST_CASE("verify takes a mesh and a .vdb, and refuses broken ones", "[e2e][stock]") {

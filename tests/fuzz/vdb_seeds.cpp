@@ -104,7 +104,7 @@ int main(int count, char** words) {
   const Folder folder(words[1]);
   std::filesystem::create_directories(folder);
   limitgauge::simulator::vdb::start_openvdb();
-  limitgauge::simulator::vdb::write_grid(*ball("stock", 2), folder / "stock.vdb");
+  limitgauge::simulator::vdb::write_grid(*ball("stock", 2), folder / "stock.vdb", 1);
   write_compressions(folder);
   write_kinds(folder);
   write_several(folder);

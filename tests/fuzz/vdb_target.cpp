@@ -89,6 +89,7 @@ void read(Run& run) {
   try {
     const simulator::VdbStock stock = stock_of(run);
     fuzz::require(stock.voxel_mm > 0, "voxels have a size");
+    fuzz::require(stock.blunt_mm > 0, "edges are blunt");
     fuzz::require(!find_defect(stock.mesh), "a stock that was read bounds a solid");
     ++run.accepted;
   } catch (const model::InputError& error) {

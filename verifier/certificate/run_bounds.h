@@ -24,9 +24,10 @@ struct Draws {
   /// By how much what is proven of errors that each move has for itself exceeds what one shift of
   /// all moves shows: no interval is narrower.
   double gap_mm = 0;
+  double stock_mm = 0;  ///< how much further the raw stock may stand out than here
 
-  /// What errors that each move has for itself take from every bound, about.
-  double own_errors_mm() const { return path_mm + gap_mm; }
+  /// What errors that each move has for itself, or the raw stock, take from every bound, about.
+  double own_errors_mm() const { return path_mm + gap_mm + stock_mm; }
   /// The middle of the shifts moved by a share of their half widths, −1 to 1 along each axis.
   model::Vec3 shift(double x, double y) const {
     return middle_mm + model::Vec3{x * half_mm.x, y * half_mm.y, 0};

@@ -19,6 +19,7 @@ RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> pass
   if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) {
     if (!mesh->mesh) throw std::invalid_argument("a mesh stock without a mesh");
     mesh_ = std::make_shared<const MeshOutside>(*mesh->mesh);
+    stock_blunt_mm_ = mesh->blunt_mm;
   }
   stock_box_ = model::bounding_box(stock);
   for (const Pass& pass : passes)
@@ -42,6 +43,14 @@ RemovedSpace RemovedSpace::with(std::span<const Sweep> more) const {
 RemovedSpace RemovedSpace::shifted(const Vec3& by) const {
   RemovedSpace out = *this;
   out.shift_ += by;
+  return out;
+}
+
+RemovedSpace RemovedSpace::with_stock_grown() const {
+  RemovedSpace out = *this;
+  if (!mesh_ || stock_blunt_mm_ == 0) return out;
+  out.mesh_ = std::make_shared<const MeshOutside>(mesh_->beyond(stock_blunt_mm_));
+  out.stock_box_ = stock_box_->grown(stock_blunt_mm_);
   return out;
 }
 

@@ -68,6 +68,10 @@ class RemovedSpace {
   /// as it goes.
   RemovedSpace swaying(const model::Vec3& half_mm, double error_mm) const;
 
+  /// This space with the raw stock grown by stock_blunt_mm(): what is gone of it is gone whatever
+  /// stands out that far.
+  RemovedSpace with_stock_grown() const;
+
   /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
   Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {},
                   FarPasses* far = nullptr) const;
@@ -128,6 +132,8 @@ class RemovedSpace {
   /// Least distance to what lies outside the raw stock, its sign as that of δ; infinite where the
   /// stock is endless.
   double stock_distance_mm(const model::Vec3& p) const;
+  /// How far edges of the raw stock may stand out beyond what it is said to be (model::blunt_mm).
+  double stock_blunt_mm() const { return stock_blunt_mm_; }
   /// Largest distance between a programmed arc and the pieces that stand for it, over all passes;
   /// and what else tips may be off by, each move for itself.
   double chord_error_mm() const { return chord_error_mm_; }
@@ -207,6 +213,7 @@ class RemovedSpace {
   std::optional<StockFaces> faces_;  ///< of a block or a bar
   std::optional<model::Box3> stock_box_;
   std::shared_ptr<const MeshOutside> mesh_;
+  double stock_blunt_mm_ = 0;
   std::vector<PlacedPass> passes_;  ///< spaces may have their bodies in common
   bool turns_ = false;              ///< one of them, its tool
   double chord_error_mm_ = 0, from_moves_mm_ = 0;

@@ -142,6 +142,8 @@ struct RobustDeviation {
 /// measured from the allowance surface (definition 2).
 struct StageDeviation {
   Interval gouge_mm, uncut_mm;  ///< certified; gouge by everything that swept the space
+  /// RemovedSpace::stock_blunt_mm(): as much wider uncut may be where the raw stock is left.
+  double stock_blunt_mm = 0;
   /// By body: the fluted parts of all stages together first; then, of each stage where they come
   /// that low, shank and holder as one body.
   std::vector<BodyFigure> bodies;

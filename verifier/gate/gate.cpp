@@ -104,7 +104,10 @@ void Decision::judge_runs() {
 void Decision::judge_run(const std::string& what, const Interval& stated,
                          const RobustFigure* robust, double limit_mm,
                          const std::vector<Finding>& findings) {
-  const std::string deepest = deepest_text(findings, stages_, limit_mm);
+  std::string deepest = deepest_text(findings, stages_, limit_mm);
+  if (&findings == &d_.uncuts && d_.stock_blunt_mm > 0)
+    deepest += "; what voxels of " + length_text(d_.stock_blunt_mm, limit_mm) +
+               " make blunt of the stock counts as left";
   if (!robust) return judge_length(what, stated, limit_mm, d_.reached_resolution, deepest);
   judge_length(what + tolerances_text(*robust, stated, limit_mm), robust->figure_mm, limit_mm,
                robust->reached_resolution,

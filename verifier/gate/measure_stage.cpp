@@ -37,7 +37,7 @@ double finding_threshold_mm(bool limited, double limit_mm, const Interval& figur
 
 std::vector<UncertaintyTerm> budget_of(const RemovedSpace& space, const StageCheck& check,
                                        const StockProbe* probe, const RayFigures& rays) {
-  return {
+  std::vector<UncertaintyTerm> out{
       {"reference surface near irregular vertices", kOmitted_mm, true},
       {"rounding in double precision", kRounding_mm - kOmitted_mm, true},
       {"arcs stood for by chords", space.chord_error_mm(), true},
@@ -50,6 +50,9 @@ std::vector<UncertaintyTerm> budget_of(const RemovedSpace& space, const StageChe
       {"rays into the stock: between samples the certificate alone sees",
        probe ? check.field_spacing_mm : 0, false},
   };
+  if (space.stock_blunt_mm() > 0)
+    out.push_back({"edges of the stock, blunt by its voxels", space.stock_blunt_mm(), true});
+  return out;
 }
 
 /// The second instrument, over the samples whose reach is known. No run is longer than the way
@@ -265,6 +268,7 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   out.resolution_mm = check.resolution_mm;
   out.gouge_mm = certificates.gouge.figure_mm;
   out.uncut_mm = certificates.uncut.figure_mm;
+  out.stock_blunt_mm = scene.cut.stock_blunt_mm();
   out.missing_stock_mm = certificates.missing.figure_mm;
   out.cells = certificates.gouge.cells + certificates.uncut.cells + certificates.missing.cells;
   out.reached_resolution =

@@ -238,7 +238,18 @@ Certificate missing_stock_of(const StageScene& scene, const model::RunControl& c
 
 Certificate uncut_of(const StageScene& scene, const ReachQuery& reach,
                      const model::RunControl& control) {
-  return certify(scene.cells, scene.cut, Side::uncut, &reach, scene.request, control);
+  const auto figure = [&](const RemovedSpace& space) {
+    return certify(scene.cells, space, Side::uncut, &reach, scene.request, control);
+  };
+  Certificate out = figure(scene.cut);
+  if (scene.cut.stock_blunt_mm() == 0) return out;
+  // What is reached is reached in the stock as it is said to be, what is excluded in the other.
+  const Certificate grown = figure(scene.cut.with_stock_grown());
+  out.reached_resolution = out.reached_resolution && grown.reached_resolution &&
+                           grown.figure_mm.high <= out.figure_mm.high;
+  out.figure_mm.high = std::max(out.figure_mm.high, grown.figure_mm.high);
+  out.cells += grown.cells;
+  return out;
 }
 
 Certificate gouge_of(const StageScene& scene, const Certificate& missing,

@@ -300,11 +300,16 @@ ToleranceValues ToleranceBox::off_path(ToleranceValues values, const Vec3& by) c
 
 ToleratedSpaces::ToleratedSpaces(const ToleranceBox& box, const RemovedSpace& raw, Side side,
                                  double highest_mm)
-    : whole(raw.with(box.hull_sweeps(side, highest_mm))
+    : whole((side == Side::uncut ? raw.with_stock_grown() : raw)
+                .with(box.hull_sweeps(side, highest_mm))
                 .shifted(box.shift_at(box.extreme(side)))
                 .swaying(box.sway(side), box.error_mm(side))),
       drawn(raw.with(box.sweeps_at(box.extreme(side), side, highest_mm))),
-      draws{drawn, box.shift_at(box.extreme(side)), box.shift_half(), box.path_mm(),
-            box.gap_mm(side)} {}
+      draws{drawn,
+            box.shift_at(box.extreme(side)),
+            box.shift_half(),
+            box.path_mm(),
+            box.gap_mm(side),
+            side == Side::uncut ? raw.stock_blunt_mm() : 0} {}
 
 }  // namespace limitgauge::verifier

@@ -61,6 +61,12 @@ double plane_between(const Bezier& cell, const Vec3& centre, const Triangle& t) 
 MeshOutside::MeshOutside(const model::TriangleMesh& mesh)
     : tree_(std::make_shared<const TriangleTree>(mesh)), side_(*tree_) {}
 
+MeshOutside MeshOutside::beyond(double mm) const {
+  MeshOutside out = *this;
+  out.beyond_mm_ += mm;
+  return out;
+}
+
 BodyDistance MeshOutside::signed_by(const TriangleTree::Foot& foot, const Vec3& p,
                                     bool inside) const {
   const double sign = inside || foot.distance_mm <= kOnMesh_mm ? 1 : -1;
@@ -71,18 +77,29 @@ BodyDistance MeshOutside::signed_by(const TriangleTree::Foot& foot, const Vec3& 
   return {sign * foot.distance_mm, inwards, 0};
 }
 
-BodyDistance MeshOutside::distance(const Vec3& p) const {
+/// Of the mesh as it is.
+BodyDistance MeshOutside::at_mesh(const Vec3& p) const {
   return signed_by(*tree_->nearest(p), p, side_.inside(p));
 }
 
+BodyDistance MeshOutside::distance(const Vec3& p) const {
+  BodyDistance d = at_mesh(p);
+  d.value += beyond_mm_;
+  return d;
+}
+
 std::optional<BodyDistance> MeshOutside::distance_up_to(const Vec3& p, double limit_mm) const {
+  const auto beyond = [&](BodyDistance d) {
+    d.value += beyond_mm_;
+    return d;
+  };
   if (!side_.inside(p)) {
-    const BodyDistance d = signed_by(*tree_->nearest(p), p, false);
+    const BodyDistance d = beyond(signed_by(*tree_->nearest(p), p, false));
     return d.value <= limit_mm ? std::optional(d) : std::nullopt;
   }
-  if (limit_mm < 0) return std::nullopt;
-  const auto foot = tree_->nearest(p, limit_mm);
-  return foot ? std::optional(signed_by(*foot, p, true)) : std::nullopt;
+  if (limit_mm < beyond_mm_) return std::nullopt;
+  const auto foot = tree_->nearest(p, limit_mm - beyond_mm_);
+  return foot ? std::optional(beyond(signed_by(*foot, p, true))) : std::nullopt;
 }
 
 /// Proof that all of `cell` moved by `move` is inside (or outside) the mesh, and how far from it at
@@ -118,31 +135,32 @@ std::optional<double> MeshOutside::clearance(const Bezier& cell, const Vec3& mov
 }
 
 double MeshOutside::lower(const Bezier& cell, const Vec3& middle, const BodyDistance& d) const {
-  const double radius = control_radius(cell, middle), plain = d.value - radius;
-  const double t = std::max(0.0, radius - d.value);
+  const double here = d.value - beyond_mm_;
+  const double radius = control_radius(cell, middle), plain = here - radius;
+  const double t = std::max(0.0, radius - here);
   const auto inside = clearance(cell, d.gradient * t, radius, d.gradient, true);
-  return inside ? std::max(plain, *inside - t) : plain;
+  return beyond_mm_ + (inside ? std::max(plain, *inside - t) : plain);
 }
 
 double MeshOutside::upper(const Bezier& cell, const Vec3& middle, const BodyDistance& d) const {
-  const double radius = control_radius(cell, middle);
+  const double radius = control_radius(cell, middle), here = d.value - beyond_mm_;
   double best = d.value + radius;
-  if (d.value > 0) {
+  if (here > 0) {
     std::array<double, 16> at{};
     values(cell, at);
     best = std::min(best, *std::max_element(at.begin(), at.end()));
   }
-  if (d.value > kFar * radius) return best;
-  const double t = std::max(0.0, radius + d.value);
+  if (here > kFar * radius) return best;
+  const double t = std::max(0.0, radius + here);
   const auto outside = clearance(cell, d.gradient * -t, radius, -d.gradient, false);
-  return outside ? std::min(best, t - *outside) : best;
+  return outside ? std::min(best, beyond_mm_ + t - *outside) : best;
 }
 
 void MeshOutside::values(const Bezier& cell, std::array<double, 16>& out) const {
   const Triangle& t = tree_->triangles()[tree_->nearest(middle(cell))->triangle];
   for (int k = 0; k < 16; ++k) {
     const Vec3 p = cell.control(k);
-    out[k] = model::distance(p, nearest_on_triangle(t, p));
+    out[k] = beyond_mm_ + model::distance(p, nearest_on_triangle(t, p));
   }
 }
 

@@ -28,6 +28,9 @@ class MeshOutside {
   /// Throws as TriangleTree does.
   explicit MeshOutside(const model::TriangleMesh& mesh);
 
+  /// The same of the mesh moved outwards by so much: less lies outside of it. d is greater by that.
+  MeshOutside beyond(double mm) const;
+
   /// The gradient points into the mesh.
   BodyDistance distance(const model::Vec3& p) const;
   /// The same where it is not above `limit_mm`: fast for points deeper in the mesh than that.
@@ -38,7 +41,7 @@ class MeshOutside {
   /// does.
   double same_side_up_to(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
                          double within_mm) const {
-    return tree_->first_near(p, ray, limit_mm, within_mm);
+    return tree_->first_near(p, ray, limit_mm, within_mm + beyond_mm_);
   }
 
   /// Bounds of d on `cell`, by what it is at its middle.
@@ -49,12 +52,14 @@ class MeshOutside {
   void values(const Bezier& cell, std::array<double, 16>& out) const;
 
  private:
+  BodyDistance at_mesh(const model::Vec3& p) const;
   BodyDistance signed_by(const TriangleTree::Foot& foot, const model::Vec3& p, bool inside) const;
   std::optional<double> clearance(const Bezier& cell, const model::Vec3& move, double radius_mm,
                                   const model::Vec3& away, bool inside) const;
 
   std::shared_ptr<const TriangleTree> tree_;  // MeshSide points to it
   MeshSide side_;
+  double beyond_mm_ = 0;
 };
 
 }  // namespace limitgauge::verifier

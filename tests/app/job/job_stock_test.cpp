@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -80,11 +81,15 @@ TEST_CASE("stock from an earlier run", "[unit][job][stock]") {
   const Job job = folder.read_with("shape = \"vdb\"\nfile = \"stock.vdb\"");
   const auto& stock = std::get<model::MeshStock>(job.stock);
   CHECK(stock.voxel_mm == 0.25);
+  CHECK(stock.blunt_mm == Approx(0.25 * std::sqrt(3)));
   CHECK(volume_mm3(*stock.mesh) == Approx(24).epsilon(1e-6));
-  CHECK(says(job,
-             "stock stock.vdb: taken as the triangle mesh of its zero set at a voxel of 0.25 mm; "
-             "nothing is known of what cut it, nor of fins and slots thinner than that, which such "
-             "a file may lack"));
+  CHECK(says(
+      job,
+      "stock stock.vdb: taken as the triangle mesh of its zero set at a voxel of 0.25 mm; "
+      "nothing is known of what cut it, nor of fins and slots thinner than that, which such "
+      "a file may lack; its edges are blunt by up to 0.434 mm, so that leftovers of it are taken "
+      "to stand out that much more, and by as much grooves may be deeper and contacts with it be "
+      "missed"));
 }
 
 TEST_CASE("stock files that are wrong", "[unit][job][stock]") {

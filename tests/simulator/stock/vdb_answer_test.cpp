@@ -15,7 +15,8 @@ namespace {
 VdbStock tetrahedron() {
   return {
       {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}},
-      0.25};
+      0.25,
+      0.5};
 }
 
 std::string words_of(const std::string& answer) {
@@ -35,6 +36,7 @@ TEST_CASE("a stock comes through an answer as it was", "[unit][vdb]") {
   const VdbStock stock = tetrahedron();
   const VdbStock back = read_vdb_answer(vdb_answer(stock), "a.vdb");
   CHECK(back.voxel_mm == stock.voxel_mm);
+  CHECK(back.blunt_mm == stock.blunt_mm);
   CHECK(back.mesh.vertices == stock.mesh.vertices);
   CHECK(back.mesh.triangles == stock.mesh.triangles);
 }
@@ -43,8 +45,9 @@ TEST_CASE("why there is no stock comes through an answer, and nothing else", "[u
   CHECK(words_of(vdb_refusal("why not")) == "a.vdb: error: why not");
   CHECK(words_of(vdb_refusal("\x1b[2J\n\xff")) == "a.vdb: error: ?[2J??");
   CHECK(words_of(vdb_refusal(std::string(100000, 'x'))).size() < 500);
-  CHECK(tests::message_of<model::ResourceError>(
-            [] { read_vdb_answer(vdb_shortage("too much"), "a.vdb"); }) == "a.vdb: error: too much");
+  CHECK(tests::message_of<model::ResourceError>([] {
+          read_vdb_answer(vdb_shortage("too much"), "a.vdb");
+        }) == "a.vdb: error: too much");
 }
 
 TEST_CASE("an answer that says more than it holds is refused", "[unit][vdb]") {
@@ -66,6 +69,11 @@ TEST_CASE("an answer that bounds no solid is refused", "[unit][vdb]") {
   CHECK_THAT(words_of(vdb_answer(stock)), ContainsSubstring("bounds no solid"));
   for (const double voxel : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     stock.voxel_mm = voxel;
+    CHECK_THAT(words_of(vdb_answer(stock)), ContainsSubstring(kNoSense));
+  }
+  for (const double blunt : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    stock = tetrahedron();
+    stock.blunt_mm = blunt;
     CHECK_THAT(words_of(vdb_answer(stock)), ContainsSubstring(kNoSense));
   }
 }

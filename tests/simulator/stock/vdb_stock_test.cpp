@@ -108,6 +108,7 @@ TEST_CASE("the stock of a run comes back as its zero set", "[property][mesh][vdb
   stock.write_vdb(file.path());
   const VdbStock back = read_vdb_stock(file.path());
   CHECK(back.voxel_mm == 0.5);
+  CHECK(back.blunt_mm == Approx(0.5 * std::sqrt(3)));
   CHECK_FALSE(find_defect(back.mesh).has_value());
   // The file holds the level set alone, linear within its cells: edges are cut off by half a voxel
   // squared at most, which the stock's own volume knows better. Edges here: the block's 12 and the
@@ -259,6 +260,32 @@ TEST_CASE("files that are no .vdb, or half of one", "[unit][mesh][vdb]") {
     put(whole.substr(0, whole.size() * part / 40));
     CHECK_THROWS_AS(read_vdb_stock(file.path()), model::InputError);
   }
+}
+
+TEST_CASE("what voxels make blunt adds up from file to file", "[property][mesh][vdb]") {
+  const File file("limitgauge_vdb_blunt.vdb");
+  slotted_block().write_vdb(file.path());
+  const VdbStock first = read_vdb_stock(file.path());
+  model::MeshStock again{std::make_shared<const model::TriangleMesh>(first.mesh), "a.vdb", 0.5};
+  again.blunt_mm = first.blunt_mm;
+  StockModel(again, 1, std::size_t{1} << 30, {}).write_vdb(file.path());
+  CHECK(read_vdb_stock(file.path()).blunt_mm == Approx(1.5 * std::sqrt(3)));
+}
+
+TEST_CASE("a file that says how blunt it is, and what makes no sense", "[property][mesh][vdb]") {
+  const File file("limitgauge_vdb_said.vdb");
+  const auto with = [&](double said) {
+    const auto grid = ball();
+    grid->insertMeta("limitgauge_blunt_mm", openvdb::DoubleMetadata(said));
+    write(file.path(), {grid});
+    return read_vdb_stock(file.path());
+  };
+  CHECK(with(3).blunt_mm == 3);
+  // No less than its own voxels allow.
+  const double voxel = with(0).voxel_mm;
+  CHECK(with(0).blunt_mm == Approx(voxel * std::sqrt(3)));
+  for (const double wrong : {-1.0, 1e9, std::nan(""), HUGE_VAL})
+    CHECK_THROWS_WITH(with(wrong), ContainsSubstring("limitgauge_blunt_mm"));
 }
 
 /// Has memory that is asked for next hold `value`, as if a stock had stood there.

@@ -203,6 +203,34 @@ TEST_CASE("no point of a cell is beyond the bounds of its distance to a mesh", "
   }
 }
 
+TEST_CASE("beyond a mesh every distance and bound is more by that", "[unit]") {
+  const double more = 0.3;
+  const MeshOutside plain(wavy_block(12)), grown = plain.beyond(more);
+  Dice dice;
+  const auto place = [&] {
+    return Vec3{dice.between(-9, 9), dice.between(-9, 9), dice.between(-6, 3)};
+  };
+  for (int n = 0; n < 300; ++n) {
+    const Vec3 p = place();
+    const double d = grown.distance(p).value;
+    CHECK(d == Approx(plain.distance(p).value + more).margin(1e-12));
+    for (const double limit : {d - 1e-6, d + 1e-6, -0.1, 0.2})
+      CHECK(grown.distance_up_to(p, limit).has_value() == (d <= limit));
+    Bezier cell;
+    const Vec3 u{dice.between(-0.3, 0.3), dice.between(-0.3, 0.3), dice.between(-0.3, 0.3)},
+        v{dice.between(-0.3, 0.3), dice.between(-0.3, 0.3), dice.between(-0.3, 0.3)};
+    for (int k = 0; k < 16; ++k) cell.set(k, p + u * (k % 4) + v * (k / 4));
+    const Vec3 m = middle(cell);
+    const BodyDistance at = grown.distance(m);
+    const double low = grown.lower(cell, m, at), high = grown.upper(cell, m, at);
+    for (int k = 0; k <= 16; ++k) {
+      const double here = plain.distance(point(cell, (k % 5) / 4.0, (k / 5) / 4.0)).value + more;
+      CHECK(here >= low - 1e-9);
+      CHECK(here <= high + 1e-9);
+    }
+  }
+}
+
 TEST_CASE("over a face of a mesh the bounds close at once, over a bend to second order", "[unit]") {
   // Flat squares a tenth of the cell wide: as over one large face, on either side of it and in it.
   const MeshOutside flat(block_under(8, 160, -5, [](double, double) { return 0.0; }));

@@ -158,6 +158,8 @@ std::vector<ToolChange> loadings(const Program& program) {
       if (!all.empty() && all.back().motion == change.motion) all.pop_back();
       if (all.empty() || all.back().tool != change.tool) all.push_back(change);
     }
+  // Posts load the first tool again at the end, for the next part.
+  if (all.size() > 1 && all.back().motion == program.motions.size()) all.pop_back();
   return all;
 }
 

@@ -15,6 +15,7 @@
 #include "model/base/absolute_path.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {
@@ -94,8 +95,10 @@ void tell_apart(std::vector<JobTool>& tools) {
   }
 }
 
-/// Diameters are the cutters'; lengths come from the tool table, where there is one.
-void add_tools(const std::vector<JobTool>& tools, model::MachineSetup& machine) {
+/// Diameters are the cutters' where the tool table states none; lengths come from the table, where
+/// there is one.
+void add_tools(const std::vector<JobTool>& tools, Job& job) {
+  model::MachineSetup& machine = job.machine;
   for (const JobTool& tool : tools) {
     if (!tool.number) continue;
     const auto known =
@@ -105,6 +108,11 @@ void add_tools(const std::vector<JobTool>& tools, model::MachineSetup& machine) 
       machine.tools.push_back({*tool.number, std::nullopt, tool.cutter.diameter_mm});
     } else if (!known->diameter_mm) {
       known->diameter_mm = tool.cutter.diameter_mm;
+    } else if (*known->diameter_mm != tool.cutter.diameter_mm) {
+      job.defaulted.push_back("the tool table has T" + std::to_string(*tool.number) + " " +
+                              model::shortest(*known->diameter_mm) +
+                              " mm wide, which cutter compensation takes; what cuts is " +
+                              model::shortest(tool.cutter.diameter_mm) + " mm wide");
     }
   }
 }
@@ -250,7 +258,7 @@ Job job_of(const CutCommand& command) {
   job.machine = machine_of(command.machine);
   if (const std::filesystem::path& table = command.machine.tool_table; !table.empty())
     job.sources.push_back({JobFile::Role::tool_table, table, table.string()});
-  add_tools(tools, job.machine);
+  add_tools(tools, job);
   if (!command.program_offset.empty())
     job.program_frame.translate_mm = point_of("--program-offset", command.program_offset);
   job.program_frame.rotate_z_deg = command.program_rotation_deg;

@@ -109,9 +109,16 @@ auto find_in(const std::optional<All>& all, const Same& same) {
   return at == all->end() ? nullptr : &*at;
 }
 
+/// What the base says and the other result does not: it may hold no more.
+void lost(const std::string& what, const Options& options, std::vector<Remark>& out) {
+  out.push_back({"gate", if_judged(options, "gate", Judgement::worse),
+                 what + " that the process is checked against are said no more"});
+}
+
 /// One less to run into is a limit taken away; another place or mesh is named.
 void compare_fixtures(const record::ProcessLimits& base, const record::ProcessLimits& now,
                       const Options& options, std::vector<Remark>& out) {
+  if (base.fixtures && !now.fixtures) return lost("fixtures", options, out);
   if (!base.fixtures || !now.fixtures) return;
   const auto named = [](const std::string& name) {
     return [&name](const record::CheckedFixture& f) { return f.name == name; };
@@ -137,6 +144,7 @@ void compare_fixtures(const record::ProcessLimits& base, const record::ProcessLi
 /// An axis's range is a limit at each end; how it lies is named.
 void compare_rotary_axes(const record::ProcessLimits& base, const record::ProcessLimits& now,
                          const Options& options, std::vector<Remark>& out) {
+  if (base.rotary_axes && !now.rotary_axes) return lost("rotary axes", options, out);
   if (!base.rotary_axes || !now.rotary_axes) return;
   const auto text = [](double deg) { return model::shortest(deg) + "°"; };
   bool is_other = base.rotary_axes->size() != now.rotary_axes->size();
@@ -159,6 +167,7 @@ std::vector<Remark> compare_process_limits(const std::optional<record::ProcessLi
                                            const std::optional<record::ProcessLimits>& now,
                                            const Options& options) {
   std::vector<Remark> out;
+  if (base && !now) lost("limits", options, out);
   // A result of an earlier version does not say them.
   if (!base || !now) return out;
   compare_limit(

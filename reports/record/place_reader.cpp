@@ -112,10 +112,11 @@ std::optional<Place> read_reached(const JsonValue& figure, const std::string& na
 }
 
 std::vector<ProcessFinding> read_process(const JsonValue& simulation, const std::string& name,
-                                         const LineTexts& texts) {
+                                         const StageContext& run) {
+  const LineTexts& texts = run.texts;
   std::vector<ProcessFinding> out;
-  if (const std::optional<JsonValue> findings = simulation.find("findings")) {
-    for (const JsonValue& entry : findings->items())
+  if (run.has_process || simulation.find("findings")) {
+    for (const JsonValue& entry : simulation["findings"].items())
       out.push_back(read_finding(entry, name, texts));
     return out;
   }

@@ -122,7 +122,7 @@ StageMeasures read_measures(const JsonValue& stage, const std::string& name,
   const bool is_measured = !stage.find("stretch") || stage.find("deviation");
   if (run.has_design && is_measured)
     out.deviation = read_deviation(stage["deviation"], name, run.schema, run.texts);
-  out.process_findings = read_process(simulation, name, run.texts);
+  out.process_findings = read_process(simulation, name, run);
   out.process = count_process(out.process_findings);
   out.seconds = stage["seconds"].length();
   return out;
@@ -304,12 +304,13 @@ RunRecord read_result_json(std::istream& in, const std::string& shown) {
   read_asked(root, out);
   const std::vector<JsonValue> stages = root["stages"].items();
   const LineTexts texts = line_texts(stages);
+  const std::optional<JsonValue> limits = root.find("process_limits");
   for (const JsonValue& stage : stages)
-    out.stages.push_back(read_stage(stage, {out.schema, surface.has_value(), texts}));
+    out.stages.push_back(
+        read_stage(stage, {out.schema, surface.has_value(), limits.has_value(), texts}));
   if (const std::optional<JsonValue> tolerances = root.find("tolerances"))
     out.tolerances = read_tolerances(*tolerances);
-  if (const std::optional<JsonValue> limits = root.find("process_limits"))
-    out.process_limits = read_process_limits(*limits);
+  if (limits) out.process_limits = read_process_limits(*limits);
   if (!surface) out.diagonal_mm = stock_diagonal_mm(root["stock"]);
   return out;
 }

@@ -23,6 +23,8 @@ using LineTexts = std::map<std::pair<std::string, std::uint32_t>, std::string>;
 struct StageContext {
   int schema = 2;
   bool has_design = true;  ///< the result has a "surface"
+  /// The result says what its process was checked by: then it gathers what is wrong with it, too.
+  bool has_process = false;
   const LineTexts& texts;
 };
 /// One entry of `stages`.
@@ -42,10 +44,10 @@ std::vector<Place> read_places(const std::vector<JsonValue>& findings, const std
 /// Where a figure over tolerances is reached; nothing of a figure that names no place.
 std::optional<Place> read_reached(const JsonValue& figure, const std::string& name,
                                   const LineTexts& texts);
-/// What is wrong with the process; of results that do not gather it, from the two lists of
-/// collisions.
+/// What is wrong with the process; of results that need not gather it, from the two lists of
+/// collisions where they do not.
 std::vector<ProcessFinding> read_process(const JsonValue& simulation, const std::string& name,
-                                         const LineTexts& texts);
+                                         const StageContext& run);
 /// Moves of each kind, by name.
 std::vector<ProcessCount> count_process(const std::vector<ProcessFinding>& findings);
 

@@ -80,6 +80,8 @@ struct MachineState {
   std::array<ReferencePoint, 2> reference;  ///< of G28 and G30
   bool fresh = false;                       ///< MachineSetup::assume_fresh_machine
   std::optional<int> selected_tool;         ///< by T
+  std::uint32_t selected_line = 0;          ///< of that T
+  bool has_changed_tool = false;            ///< by M6 or M61, to whatever tool
   int shifted_by = 0;                       ///< 520 or 920: the code that last set their offset
   bool has_start = false;                   ///< MachineSetup::start_mm
   bool has_moved = false;

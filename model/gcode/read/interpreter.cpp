@@ -80,6 +80,11 @@ void Interpreter::finish() {
   const bool as_begun =
       state_.systems.lie_as(systems_at_start_) && state_.tools.has_entries_of(tools_at_start_);
   if (!as_begun) program_.offsets_left = offsets_line_;
+  if (const auto tool = state_.selected_tool;
+      tool && *tool != 0 && !state_.has_changed_tool && tool != state_.tools.loaded())
+    assumed_.add(state_.selected_line, "T" + std::to_string(*tool) +
+                                           " is never loaded, since no M6 follows: the tool in the "
+                                           "spindle stays");
 }
 
 void Interpreter::carry_out_m(const Statement& statement) {

@@ -140,8 +140,10 @@ void add_entry(const Statement& statement, MachineState& state) {
 }  // namespace
 
 void select_tool(const Statement& statement, MachineState& state) {
-  if (const Word* t = statement.word('T'))
-    state.selected_tool = tool_number(statement, *t, "tool number");
+  const Word* t = statement.word('T');
+  if (!t) return;
+  state.selected_tool = tool_number(statement, *t, "tool number");
+  state.selected_line = statement.line();
 }
 
 namespace {
@@ -170,6 +172,7 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
   } else if (!tool) {
     statement.fail(word, "a tool change without a tool", "T before M6");
   }
+  state.has_changed_tool = true;
   if (program.tool_changes.size() >= kMostChanges)
     statement.fail(word, "more than a million tool changes", "fewer");
   if (state.tools.loaded() != tool)
@@ -333,6 +336,27 @@ double diameter_of(const Statement& statement, const Word& code, const MachineSt
   return *diameter_mm;
 }
 
+/// The tool whose diameter cutter compensation takes; none of a diameter that the block states.
+std::optional<int> diameter_number(const Statement& statement, const MachineState& state,
+                                   bool dynamic) {
+  const ControlRules& rules = statement.rules();
+  if (rules.modal_offset_words) return state.modal.diameter_number;
+  const Word* const d = statement.word('D');
+  if (dynamic || !d || rules.length_by_d) return std::nullopt;
+  return whole(d->value, kWholeCount);
+}
+
+/// A habit of some shops and a fault in others: carried out as it stands, and told.
+void tell_other_diameter(const Statement& statement, const MachineState& state, bool dynamic,
+                         Assumptions& assumed) {
+  const auto number = diameter_number(statement, state, dynamic);
+  const auto loaded = state.tools.loaded();
+  if (number && *number != 0 && loaded && *loaded != 0 && number != loaded)
+    assumed.add(statement.line(), "the diameter of tool " + std::to_string(*number) +
+                                      " is used for cutter compensation while " +
+                                      loaded_name(state) + " is in the spindle");
+}
+
 void begin(const Statement& statement, const Word& code, int tenths, MachineState& state,
            CutterCompensation& compensation, Assumptions& assumed) {
   forbid_compensation(statement, code, state);
@@ -342,6 +366,7 @@ void begin(const Statement& statement, const Word& code, int tenths, MachineStat
     statement.fail(code, "cutter compensation from a place that nothing states",
                    "a motion of each axis to a coordinate first");
   const double diameter_mm = diameter_of(statement, code, state, tenths % 10 == 1);
+  tell_other_diameter(statement, state, tenths % 10 == 1, assumed);
   const bool left = tenths / 10 == 41;
   const ControlRules& rules = statement.rules();
   if (!rules.compensation_as_set.empty())

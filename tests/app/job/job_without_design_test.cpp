@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "app/cli/usage_error.h"
 #include "app/job/settings.h"
@@ -133,6 +135,26 @@ TEST_CASE("a tool that the program loads nowhere is said", "[unit][cli][cut]") {
   command.tools.push_back("7=ball:D=6,L=20");
   CHECK(idle(job_of(command)) == 1);
   CHECK(job_of(command).stages.size() == 2);
+}
+
+TEST_CASE("a tool table that has another diameter is told", "[unit][cli][cut]") {
+  const std::filesystem::path table = std::filesystem::temp_directory_path() / "limitgauge_d.tbl";
+  CutCommand command = plate_cut();
+  command.tools = {"1=flat:D=8,L=80", "2=flat:D=6,L=60"};
+  command.machine.tool_table = table;
+  const auto told = [&](const char* text) {
+    std::ofstream(table) << text;
+    const Job job = job_of(command);
+    std::vector<std::string> out;
+    for (const std::string& said : job.defaulted)
+      if (said.find("the tool table has") == 0) out.push_back(said);
+    return out;
+  };
+  CHECK(told("T1 P1 D8 Z50\nT2 P2 Z40\n").empty());
+  CHECK(told("T1 P1 D7.98 Z50\nT2 P2 Z40\n") ==
+        std::vector<std::string>{"the tool table has T1 7.98 mm wide, which cutter compensation "
+                                 "takes; what cuts is 8 mm wide"});
+  std::filesystem::remove(table);
 }
 
 TEST_CASE("verify says what --cage takes where it gets something else", "[unit][cli][cut]") {

@@ -85,6 +85,10 @@ TEST_CASE("a tool that is taken out or never moves makes no part", "[unit][progr
   REQUIRE(changes.size() == 1);
   CHECK(changes[0].tool == 3);
   CHECK(assigned(program, {stage_with("a", {}, 3)})[0].last == 6);
+  // As posts load the first tool again for the next part.
+  program.tool_changes.push_back({9, 6, 7});
+  CHECK(loadings(program).size() == 1);
+  CHECK(assigned(program, {stage_with("a", {}, 3)})[0].last == 6);
 }
 
 TEST_CASE("a feed needs a tool that the program has loaded", "[unit][program]") {

@@ -55,6 +55,29 @@ TEST_CASE("without lengths the offset of the tool itself is its length", "[unit]
   CHECK(error_of("G43 H5\nG43 H6\n").find("2:5: error: the length offset of tool 6") == 0);
 }
 
+TEST_CASE("a T without its M6 loads nothing, and is told", "[unit][gcode]") {
+  CHECK(assumes(read_text("T5\nG0 Z10\n"), "line 1: T5 is never loaded, since no M6 follows"));
+  CHECK_FALSE(assumes(read_text("T0\nG0 Z10\n"), "never loaded"));
+  CHECK_FALSE(assumes(read_text("T5 M6\nG0 Z10\n"), "never loaded"));
+  // The next one may be got ready while the first cuts.
+  CHECK_FALSE(assumes(read_text("T5 M6\nT6\nG0 Z10\n"), "never loaded"));
+}
+
+TEST_CASE("the diameter of another tool is used, and told", "[unit][gcode]") {
+  MachineSetup machine = two_tools();
+  machine.tools[0].diameter_mm = 8, machine.tools[1].diameter_mm = 6;
+  const std::string head = "G0 X0 Y0 Z0\n", tail = " X10\nG1 X20 F100\nG40 X30 Y10\n";
+  const auto told = [&](const std::string& program) {
+    return assumes(read_text(program, machine),
+                   "the diameter of tool 2 is used for cutter "
+                   "compensation while tool 1 is in the spindle");
+  };
+  CHECK(told("T1 M6\n" + head + "G41 D2" + tail));
+  CHECK_FALSE(told("T1 M6\n" + head + "G41 D1" + tail));
+  CHECK_FALSE(told("T1 M6\n" + head + "G41" + tail));
+  CHECK_FALSE(told("T1 M6\n" + head + "G41.1 D2" + tail));
+}
+
 TEST_CASE("G43.1 states the length of a tool whose length is not stated", "[unit][gcode]") {
   CHECK(last_z("T3 M6\nG43.1 Z77\nG0 Z10\n") == 10);
   // A second value for the same tool is a difference.

@@ -77,9 +77,12 @@ TEST_CASE("Limits of the process count as any other", "[unit][compare]") {
   now.process_limits->contact_tolerance_mm = 5;
   CHECK(compare_runs(base, now, {}).remarks.at(0).text ==
         "limit of contacts loosened from 10 µm to 5 mm");
-  // An earlier version's result does not say them.
+  // An earlier version's result does not say them; what is said no more may hold no more.
   now.process_limits.reset();
-  CHECK(compare_runs(base, now, {}).judgement() == Judgement::same);
+  CHECK(compare_runs(now, base, {}).judgement() == Judgement::same);
+  CHECK(compare_runs(base, now, {}).judgement() == Judgement::worse);
+  CHECK(compare_runs(base, now, {}).remarks.at(0).text ==
+        "limits that the process is checked against are said no more");
 }
 
 TEST_CASE("A fixture that is looked at no more is a limit taken away", "[unit][compare]") {
@@ -101,10 +104,11 @@ TEST_CASE("A fixture that is looked at no more is a limit taken away", "[unit][c
         "fixture vise was at 0, 0, -5 mm, is at 0, 0, -40 mm in setup second with axis A");
   CHECK(compared({{"vise", "other.stl", {0, 0, -5}, {}, {}}}).remarks.at(0).text ==
         "fixture vise was vise.stl, is other.stl");
-  // An earlier version's result does not say them.
+  // An earlier version's result does not say them; what is said no more may be looked at no more.
   now = base;
   now.process_limits->fixtures.reset();
-  CHECK(compare_runs(base, now, {}).judgement() == Judgement::same);
+  CHECK(compare_runs(now, base, {}).judgement() == Judgement::same);
+  CHECK(compare_runs(base, now, {}).judgement() == Judgement::worse);
 }
 
 TEST_CASE("The range of a rotary axis is a limit at each end", "[unit][compare]") {

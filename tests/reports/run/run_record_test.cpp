@@ -212,6 +212,9 @@ TEST_CASE("Keys of later versions are left alone, those of earlier ones filled i
                           "gouge_threshold_mm", "uncut_threshold_mm"})
     deviation.erase(key);
   json["stages"][1]["simulation"].erase("findings");
+  // A result that says what its process was checked by gathers its findings, too.
+  CHECK(error_of(json.dump()).find("has no key \"findings\"") != std::string::npos);
+  json.erase("process_limits");
   json["stages"][1]["simulation"]["holder_collisions"] = {
       {{"line", 7}, {"x", 0}, {"y", 0}, {"z", 1}, {"depth_mm", 0.5}, {"part", "shank"}}};
   const StageMeasures stage = *read(json.dump()).stages[1].measures;

@@ -74,32 +74,21 @@ BodyDistance MeshOutside::signed_by(const TriangleTree::Foot& foot, const Vec3& 
   const Vec3 inwards = foot.distance_mm > kMeshWay_mm
                            ? (p - foot.point) * (sign / foot.distance_mm)
                            : -normalized(cross(t[1] - t[0], t[2] - t[0]));
-  return {sign * foot.distance_mm, inwards, 0};
-}
-
-/// Of the mesh as it is.
-BodyDistance MeshOutside::at_mesh(const Vec3& p) const {
-  return signed_by(*tree_->nearest(p), p, side_.inside(p));
+  return {sign * foot.distance_mm + beyond_mm_, inwards, 0};
 }
 
 BodyDistance MeshOutside::distance(const Vec3& p) const {
-  BodyDistance d = at_mesh(p);
-  d.value += beyond_mm_;
-  return d;
+  return signed_by(*tree_->nearest(p), p, side_.inside(p));
 }
 
 std::optional<BodyDistance> MeshOutside::distance_up_to(const Vec3& p, double limit_mm) const {
-  const auto beyond = [&](BodyDistance d) {
-    d.value += beyond_mm_;
-    return d;
-  };
   if (!side_.inside(p)) {
-    const BodyDistance d = beyond(signed_by(*tree_->nearest(p), p, false));
+    const BodyDistance d = signed_by(*tree_->nearest(p), p, false);
     return d.value <= limit_mm ? std::optional(d) : std::nullopt;
   }
   if (limit_mm < beyond_mm_) return std::nullopt;
   const auto foot = tree_->nearest(p, limit_mm - beyond_mm_);
-  return foot ? std::optional(beyond(signed_by(*foot, p, true))) : std::nullopt;
+  return foot ? std::optional(signed_by(*foot, p, true)) : std::nullopt;
 }
 
 /// Proof that all of `cell` moved by `move` is inside (or outside) the mesh, and how far from it at

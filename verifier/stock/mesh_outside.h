@@ -52,7 +52,6 @@ class MeshOutside {
   void values(const Bezier& cell, std::array<double, 16>& out) const;
 
  private:
-  BodyDistance at_mesh(const model::Vec3& p) const;
   BodyDistance signed_by(const TriangleTree::Foot& foot, const model::Vec3& p, bool inside) const;
   std::optional<double> clearance(const Bezier& cell, const model::Vec3& move, double radius_mm,
                                   const model::Vec3& away, bool inside) const;

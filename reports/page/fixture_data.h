@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,21 @@ class Fixtures {
   const Json& json() const { return json_; }
 
  private:
+  struct Placed {
+    std::shared_ptr<const model::TriangleMesh> mesh;
+    model::Pose to_part;
+    std::size_t index;
+  };
+  std::size_t add_shown(const std::string& name, const model::TriangleMesh& shown,
+                        std::size_t file_triangles, Blob& blob);
+
   struct Known {
     std::string name;
     std::vector<std::int32_t> position, corners;
     friend bool operator==(const Known&, const Known&) = default;
   };
-  std::vector<Known> known_;
+  std::vector<Placed> placed_;  ///< stages of one setup share a mesh, which is made fewer once
+  std::vector<Known> known_;    ///< setups have one each, which may stand at the same place
   Json json_ = Json::array();
 };
 

@@ -243,10 +243,6 @@ model::TriangleMesh zero_set(const openvdb::FloatGrid& grid, const GridPlace& pl
   return mesh;
 }
 
-}  // namespace
-
-namespace {
-
 // What the file says of the stock that it was written of, no less than its voxels allow; a file of
 // another program says nothing.
 double blunt_of(const openvdb::FloatGrid& grid, double voxel_mm) {

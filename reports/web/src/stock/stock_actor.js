@@ -1,5 +1,4 @@
 import vtkDataArray from '@kitware/vtk.js/Common/Core/DataArray';
-import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
 import vtkActor from '@kitware/vtk.js/Rendering/Core/Actor';
 import vtkMapper from '@kitware/vtk.js/Rendering/Core/Mapper';
 
@@ -14,12 +13,7 @@ const EVERYTHING = [0, 0, 0, 1];
  */
 export function createStockActor(stock) {
   const look = { plane: EVERYTHING, inside: [0.6, 0.6, 0.6] };
-  const { points, normals, cells } = facets(stock);
-  const data = vtkPolyData.newInstance();
-  data.getPoints().setData(points, 3);
-  data.getPolys().setData(cells);
-  data.getPointData().setNormals(
-    vtkDataArray.newInstance({ name: 'normals', numberOfComponents: 3, values: normals }));
+  const data = facets(stock);
   const mapper = vtkMapper.newInstance();
   mapper.setInputData(data);
   mapper.setColorModeToDirectScalars();

@@ -1,5 +1,9 @@
+import vtkDataArray from '@kitware/vtk.js/Common/Core/DataArray';
+import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
+
 /**
- * Corners of their own for each triangle, so that each has its own normal and colour.
+ * What vtk.js draws of a mesh as flat facets: each triangle has corners of its own, so that it has its own
+ * normal and colour.
  * @param {{positions: Float32Array, corners: Uint32Array, triangles: number}} mesh
  */
 export function facets({ positions, corners, triangles }) {
@@ -14,7 +18,12 @@ export function facets({ positions, corners, triangles }) {
     for (let corner = 0; corner < 3; ++corner) normals.set(normal, 9 * k + 3 * corner);
     cells.set([3, 3 * k, 3 * k + 1, 3 * k + 2], 4 * k);
   }
-  return { points, normals, cells };
+  const data = vtkPolyData.newInstance();
+  data.getPoints().setData(points, 3);
+  data.getPolys().setData(cells);
+  data.getPointData().setNormals(
+    vtkDataArray.newInstance({ name: 'normals', numberOfComponents: 3, values: normals }));
+  return data;
 }
 
 function normalOf(points, at) {

@@ -1,5 +1,3 @@
-import vtkDataArray from '@kitware/vtk.js/Common/Core/DataArray';
-import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
 import vtkActor from '@kitware/vtk.js/Rendering/Core/Actor';
 import vtkMapper from '@kitware/vtk.js/Rendering/Core/Mapper';
 
@@ -61,14 +59,8 @@ export function fixtureToggle(report, change) {
 }
 
 function actorOf(fixture) {
-  const { points, normals, cells } = facets(fixture);
-  const data = vtkPolyData.newInstance();
-  data.getPoints().setData(points, 3);
-  data.getPolys().setData(cells);
-  data.getPointData().setNormals(
-    vtkDataArray.newInstance({ name: 'normals', numberOfComponents: 3, values: normals }));
   const mapper = vtkMapper.newInstance();
-  mapper.setInputData(data);
+  mapper.setInputData(facets(fixture));
   const actor = vtkActor.newInstance();
   actor.setMapper(mapper);
   actor.setPickable(false);

@@ -50,17 +50,37 @@ StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& 
   return near_stock(file, std::move(loaded));
 }
 
+namespace {
+
+std::string rounded_up_mm(double length_mm) {
+  return model::shortest(std::ceil(length_mm * 1000) / 1000) + " mm";
+}
+
+/// What holds no ball of such a diameter a level set may lack altogether: a ball of a voxel's
+/// diagonal holds a node of the grid. Through another file before, it has to hold one such ball
+/// when that one's blunt edge has been taken off all round.
+double surely_kept_mm(const simulator::VdbStock& read) {
+  const double diagonal_mm = model::kBluntVoxels * read.voxel_mm;
+  constexpr double kRounding = 1e-9;
+  const bool is_first = read.blunt_mm <= diagonal_mm * (1 + kRounding);
+  return is_first ? diagonal_mm : 2 * read.blunt_mm;
+}
+
+}  // namespace
+
 StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated) {
   simulator::VdbStock read = simulator::read_vdb_stock(file);
   StockFile loaded;
   loaded.assumptions.push_back(
       "stock " + as_stated + ": taken as the triangle mesh of its zero set at a voxel of " +
       model::shortest(read.voxel_mm) +
-      " mm; nothing is known of what cut it, nor of fins and slots "
-      "thinner than that, which such a file may lack; its edges are blunt by up to " +
-      model::shortest(std::ceil(read.blunt_mm * 1000) / 1000) +
-      " mm, so that leftovers of it are taken to stand out that much more, and by as much grooves "
-      "may be deeper and contacts with it be missed");
+      " mm; nothing is known of what cut it, nor of fins, pins, slots and sharp tips into which no "
+      "ball of " +
+      rounded_up_mm(surely_kept_mm(read)) +
+      " fits, which such a file may lack altogether; other edges are blunt by up to " +
+      rounded_up_mm(read.blunt_mm) +
+      ", so that leftovers of it are taken to stand out that much more, and by as much grooves may "
+      "be deeper and contacts with it be missed");
   loaded.stock = stock_of(std::move(read.mesh), as_stated, read.voxel_mm);
   loaded.stock.blunt_mm = read.blunt_mm;
   return near_stock(file, std::move(loaded));

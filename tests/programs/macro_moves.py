@@ -62,7 +62,7 @@ class Reader:
     """Values in one line."""
 
     def __init__(self, text, machine):
-        self.text, self.at, self.machine = text, 0, machine
+        self.text, self.at, self.machine, self.in_address = text, 0, machine, False
 
     def rest(self):
         return self.text[self.at:]
@@ -85,6 +85,9 @@ class Reader:
         if name:
             self.at += name.end()
             argument = self.value()
+            # In an address to the least increment, elsewhere to whole numbers.
+            if name[0] == "ROUND" and self.in_address:
+                return FUNCTIONS["ROUND"](argument * 1000) / 1000
             if name[0] == "ATAN":
                 self.at += 1
                 return math.degrees(math.atan2(argument, self.value()))
@@ -178,6 +181,7 @@ class Machine:
         while reader.rest():
             letter = reader.rest()[0]
             reader.at += 1
+            reader.in_address = letter in "XYZIJKRQABC"
             begin, value = reader.at, reader.value()
             # What is calculated is rounded to the least increment.
             if letter in "XYZ" and not isinstance(value, Vacant) and re.search(r"[#\[]", line[begin:reader.at]):

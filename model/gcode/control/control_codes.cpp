@@ -136,6 +136,7 @@ constexpr std::array kMach3G = {aside(150, 150),
                                 refused(510, 510, kTurned, kOff),
                                 refused(680, 680, kTurned, kOff),
                                 aside(690, 690),
+                                refused(281, 281, "it homes axes on Mach3", "G28"),
                                 refused(310, 310, kProbe, "a program without it")};
 constexpr std::array kMach3M = {aside(10, 11, "P"),  // an output of its own
                                 refused(47, 47, "it begins the program again without end", "M30"),
@@ -153,7 +154,8 @@ constexpr std::array kSiemensG = {
     same(7000, 200),
     same(7100, 210),
     same(1530, 530),
-    aside(4500, 4510),
+    aside(4500, 4500),
+    refused(4510, 4510, "corners by the intersection are not carried out", "G450"),
     aside(3400, 3410),
     aside(2900, 2900),
     aside(4600, 4620)};

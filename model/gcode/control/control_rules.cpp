@@ -72,6 +72,7 @@ constexpr ControlRules siemens_rules() {
   rules.title = "Siemens";
   rules.r_parameters = rules.idle_centre_words = rules.rotary_zero = rules.length_by_d = true;
   rules.length_in_machine_frame = true;  // MD 10760 as 0
+  rules.length_moves_z = rules.offsets_move_axes = true;
   rules.idle_percent = rules.turns_by_p = true;
   rules.dwell_letters = "FS";
   rules.compensation = CompensationStyle::siemens;

@@ -67,6 +67,9 @@ struct ControlRules {
   /// A change of the tool's length is made up for by the next motion of Z, in G91 too (Fanuc
   /// B-63844EN, 14.1.1), where LinuxCNC gives the tool's place another name.
   bool length_moves_z = false;
+  /// The same of X, Y and Z behind a change of the zero offset (Siemens 6FC5398, "G91": SD 42440
+  /// and 42442 as the control comes).
+  bool offsets_move_axes = false;
   bool whole_lengths_doubtful = false;  ///< X10 may be 10 mm or 10 increments: a parameter says
   /// Lengths and angles that variables and expressions give are rounded to the least input
   /// increment: 0.001 mm, 0.0001 inch, 0.001 degrees (Fanuc B-63684EN, 16.1; Haas, "Address

@@ -34,7 +34,7 @@ CoordinateSystems::CoordinateSystems(const MachineSetup& machine)
     const std::optional<WorkOffset> stated = stated_offset(machine, i);
     if (!stated && !machine.assume_fresh_machine) continue;
     const WorkOffset offset = stated.value_or(WorkOffset{});
-    systems_[i] = {offset.origin_mm, offset.rotation_deg, kAll, kAll, {}};
+    systems_[i] = {offset.origin_mm, offset.rotation_deg, kAll, kAll, {}, !stated};
     frame_is_taken_ = false;
   }
   if (frame_is_taken_) systems_[0].usable = kAll;

@@ -36,6 +36,9 @@ struct CoordinateSystem {
   /// The program itself has said where it lies along an axis.
   std::array<bool, 3> set_by_program{};
 
+  /// Nothing states it: a fresh machine's, at its zero.
+  bool is_fresh = false;
+
   bool is_set_by_program() const {
     return set_by_program[0] && set_by_program[1] && set_by_program[2];
   }

@@ -33,15 +33,17 @@ struct ModalState {
   int length_offset = 490;  ///< G43, G43.1, G43.2 or G49, in tenths
   /// G28, G30 or G53, in tenths, which has taken the tool's length out of effect (LengthCancel).
   std::optional<int> length_cancelled_by;
-  /// Since G43, G49 or H changed the length in effect no absolute Z has been programmed, on a
-  /// control where the next motion of Z makes up for the change.
-  bool length_is_due = false;
+  /// By axis: since G43, G49, H or D changed the length in effect, or a code the zero offset, the
+  /// axis has not been programmed in G90, on a control where its next motion makes up for the
+  /// change.
+  std::array<bool, 3> is_due{};
   bool cancelled_length_is_told = false;  ///< a motion along Z came since, and was listed
   std::optional<int> motion;              ///< G code in tenths
   /// G0 to G3, where canned cycles are a group beside them and come back to it.
   std::optional<int> beside_cycles;
   bool motion_is_taken = false;                       ///< G0 of a control that begins in it
   bool edge_is_taken = false;                         ///< D1 of a tool that came without a D
+  bool without_edge = false;                          ///< Siemens's D0
   std::optional<int> length_number, diameter_number;  ///< H and D, where they stay
   FeedMode feed_mode = FeedMode::per_minute;
   double feed_mm = 0;  ///< by minute or by revolution; 0: none

@@ -83,7 +83,13 @@ std::optional<double> macro_variable(const MachineState& state, Control control,
   const auto among = [variable](int first) { return variable >= first && variable < first + 3; };
   constexpr int kPosition = 5420, kMachinePosition = 5021;  // LinuxCNC's numbers
   if (among(5001)) return system_parameter(state, variable - 5001 + kPosition);
-  if (among(5041)) return system_parameter(state, variable - 5041 + kPosition);
+  if (among(5041)) {
+    // Fanuc's hold the tool's length and radius: what they are then nothing here says.
+    const bool has_tool =
+        control == Control::fanuc && (state.tools.has_offset_in_use() || state.is_compensated());
+    if (has_tool) return std::nullopt;
+    return system_parameter(state, variable - 5041 + kPosition);
+  }
   if (among(5021)) return system_parameter(state, variable - 5021 + kMachinePosition);
   constexpr int kSpacing = 20, kSystems = 6;
   const int item = (variable - 5221) % kSpacing;

@@ -10,6 +10,7 @@
 #include "model/gcode/read/motion_codes.h"
 #include "model/gcode/read/offset_codes.h"
 #include "model/gcode/read/orientation_codes.h"
+#include "model/gcode/read/radius_codes.h"
 #include "model/gcode/read/tool_codes.h"
 #include "model/gcode/text/system_parameters.h"
 #include "model/gcode/text/word_use.h"
@@ -26,7 +27,8 @@ Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Le
                     [&lexer](std::uint32_t line) { return lexer.place(line, 1); }),
       saved_(state_, compensation_, parameters),
       most_motions_(most_motions),
-      doubts_lengths_(lexer.rules().whole_lengths_doubtful) {
+      doubts_lengths_(lexer.rules().whole_lengths_doubtful),
+      doubts_decimals_(lexer.rules().rounds_calculated) {
   if (const auto tool = state_.tools.loaded()) program_.tool_changes.push_back({0, 0, *tool});
   set_system_parameters(parameters, lexer.rules());
 }
@@ -125,6 +127,10 @@ void Interpreter::set_plane(const Statement& statement) {
   if (plane != state_.modal.plane)
     forbid_compensation(statement, *statement.g_word(GGroup::plane), state_);
   state_.modal.plane = plane;
+  if (statement.rules().length_by_d && plane != ArcPlane::xy)
+    assumed_.add(statement.line(),
+                 "the tool's length is taken to act along Z in every plane (SD 42940); as the "
+                 "control comes, it acts along Y in G18 and along X in G19");
 }
 
 namespace {
@@ -281,7 +287,7 @@ void Interpreter::move_straight(const Statement& statement, int code) {
 void Interpreter::cycle(const Statement& statement, int code) {
   check_system(statement, state_);
   check_tip(statement, state_);
-  take_due_length(statement, state_);
+  take_due_offsets(statement, state_);
   if (state_.is_adrift())
     statement.fail(statement.blamed(), "a canned cycle from a place that nothing states",
                    "a motion of each axis to a coordinate first");

@@ -47,6 +47,7 @@ class Interpreter {
   std::optional<Vec3> plain_end(const PlainLine& line) const;
   Motion plain_motion(const Vec3& to_mm);
   bool listen(const Statement& statement);
+  void note_least_increments(std::uint32_t line, bool calculated);
   void note_doubtful_lengths(const Statement& statement);
   void cancel_cycle(const Statement& statement);
   void note_return_level(const Statement& statement);
@@ -131,7 +132,8 @@ class Interpreter {
   std::size_t motions_before_spindle_ = 0;
   /// Blocks since the last motion beside a contour; empty: there was none.
   std::optional<int> still_blocks_;
-  bool doubts_lengths_ = false;  ///< lengths without a point are still to be told of
+  bool doubts_lengths_ = false;   ///< lengths without a point are still to be told of
+  bool doubts_decimals_ = false;  ///< and such with more decimals than the control takes
   bool lack_of_speed_is_told_ = false;
   bool left_hand_is_told_ = false;
   bool plain_ = false;  ///< blocks of axis words alone may go by move_plainly

@@ -62,39 +62,36 @@ namespace {
 
 /// Of the block that a word stands in: G20 and G21 in it count.
 double unit_in(const Block& block, double modal_unit_mm) {
-  for (const Word& word : block.words)
-    if (word.letter == 'G' && (word.value == 20 || word.value == 21))
-      return word.value == 20 ? kInchMm : 1;
-  return modal_unit_mm;
-}
-
-/// Steps of the least input increment (IS-B) in a unit of the word; 0: it is no length and no
-/// angle.
-double steps_in_unit(char letter, bool in_inches) {
-  constexpr double kSteps = 1000, kStepsInch = 10'000;
-  const std::uint32_t bit = letter_bit(letter);
-  if ((bit & kRotaryLetters) != 0) return kSteps;
-  if ((bit & letter_bits("XYZIJKRQ")) == 0) return 0;
-  return in_inches ? kStepsInch : kSteps;
+  const auto stated = inches_stated(block);
+  return !stated ? modal_unit_mm : *stated ? kInchMm : 1;
 }
 
 }  // namespace
 
-/// A number that is written out stays as it is. What is whole steps but for the last bits of a sum
-/// is not listed.
+/// A number that is written out stays as it is, and is told of. What is whole steps but for the
+/// last bits of a sum is not listed.
 void Interpreter::round_calculated(Block& block) {
   for (Word& word : block.words) {
-    if (!word.is_calculated()) continue;
+    const bool calculated = word.is_calculated();
+    if (!calculated && !doubts_decimals_) continue;
     const double steps = steps_in_unit(word.letter, unit_in(block, state_.modal.unit_mm) != 1);
     if (steps == 0) continue;
     const double rounded = std::round(word.value * steps) / steps;
     constexpr double kSumOfSteps = 1e-9;
-    if (std::abs(rounded - word.value) > kSumOfSteps)
-      assumed_.add(block.main_line,
-                   "lengths and angles from variables and expressions are rounded to 0.001 mm, "
-                   "0.0001 inch and 0.001 degrees, the control's least increments");
-    word.value = rounded;
+    const bool tells = std::abs(rounded - word.value) > kSumOfSteps;
+    if (calculated) word.value = rounded;
+    if (tells) note_least_increments(block.main_line, calculated);
   }
+}
+
+void Interpreter::note_least_increments(std::uint32_t line, bool calculated) {
+  doubts_decimals_ = doubts_decimals_ && calculated;
+  assumed_.add(line, calculated
+                         ? "lengths and angles from variables and expressions are rounded to 0.001 "
+                           "mm, 0.0001 inch and 0.001 degrees, the control's least increments"
+                         : "lengths and angles with more decimals than 0.001 mm, 0.0001 inch and "
+                           "0.001 degrees, a control's usual least increments, are taken as they "
+                           "are written");
 }
 
 /// G80, and on controls that let G0 and G1 stand beside codes that take the axis words, these.

@@ -18,7 +18,7 @@ bool Interpreter::may_be_plain() const {
   return (state_.modal.motion == 0 || state_.modal.motion == 10) && !state_.modal.motion_is_taken &&
          !state_.modal.edge_is_taken &&
          (!state_.modal.length_cancelled_by || state_.modal.cancelled_length_is_told) &&
-         !state_.modal.length_is_due && state_.modal.units_are_stated &&
+         state_.modal.is_due == std::array<bool, 3>{} && state_.modal.units_are_stated &&
          state_.modal.distance_is_stated && state_.modal.feed_mode == FeedMode::per_minute &&
          compensation_.idle() && saved_.empty() && !state_.is_adrift() &&
          !state_.tools.is_uncertain() && state_.systems.system().is_usable();
@@ -40,7 +40,9 @@ void Interpreter::move_plainly(const Statement& statement) {
 
 /// The motion code that is in force already changes nothing, save that a cycle comes back to it.
 bool Interpreter::keeps_modes(const PlainLine& line) const {
-  const bool doubtful = doubts_lengths_ && line.has_whole_number;
+  const std::ptrdiff_t least_decimals = state_.modal.unit_mm == 1 ? 3 : 4;
+  const bool doubtful = (doubts_lengths_ && line.has_whole_number) ||
+                        (doubts_decimals_ && line.most_decimals > least_decimals);
   const bool same =
       !line.motion || (line.motion == state_.modal.motion &&
                        state_.modal.beside_cycles.value_or(*line.motion) == *line.motion);

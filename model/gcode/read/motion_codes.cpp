@@ -142,20 +142,24 @@ double arc_length(const Motion& arc, const Vec3& start) {
 
 }  // namespace
 
-void take_due_length(const Statement& statement, MachineState& state) {
-  const Word* const z = statement.word('Z');
-  if (!z || !state.modal.length_is_due) return;
-  if (state.modal.incremental)
-    statement.fail(*z,
-                   in_quotes(z->text) +
-                       " in G91 behind a change of the tool's length, which the control adds to it",
-                   "Z in G90 first");
-  state.modal.length_is_due = false;
+void take_due_offsets(const Statement& statement, MachineState& state) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Word* const word = statement.word(kAxes[axis]);
+    bool& is_due = state.modal.is_due[static_cast<std::size_t>(axis)];
+    if (!word || !is_due) continue;
+    if (state.modal.incremental)
+      statement.fail(*word,
+                     in_quotes(word->text) + " in G91 behind a change of the " +
+                         (statement.rules().offsets_move_axes ? "zero offset or the " : "") +
+                         "tool's length, which the control adds to it",
+                     std::string(1, kAxes[axis]) + " in G90 first");
+    is_due = false;
+  }
 }
 
 Vec3 end_of(const Statement& statement, MachineState& state) {
   check_descent(statement, state);
-  take_due_length(statement, state);
+  take_due_offsets(statement, state);
   Vec3 end_mm = state.position_mm;
   for (int axis = 0; axis < 3; ++axis) {
     if (const Word* const word = statement.word(kAxes[axis]))

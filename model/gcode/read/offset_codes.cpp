@@ -264,8 +264,11 @@ void select_system(const Statement& statement, MachineState& state, Assumptions&
                      : code >= kFirstByCode
                          ? kWorkOffsets + static_cast<std::size_t>((code - kFirstByCode) / 10)
                          : static_cast<std::size_t>(code <= 590 ? (code - 540) / 10 : code - 585);
-  if (state.fresh && index != 0 && !state.systems.system(index).is_set_by_program())
+  const CoordinateSystem& system = state.systems.system(index);
+  if (system.is_fresh && index != 0 && !system.is_set_by_program())
     assumed.add(statement.line(), work_offset_name(index) + " lies at the machine's zero");
+  if (statement.rules().offsets_move_axes && index != state.systems.active())
+    state.modal.is_due = {true, true, true};
   state.keeping_tip([&] { state.systems.select(index); });
 }
 

@@ -9,6 +9,12 @@
 #include "model/text/number_text.h"
 
 namespace limitgauge::model::gcode {
+
+std::string loaded_name(const MachineState& state) {
+  const auto loaded = state.tools.loaded();
+  return loaded ? "tool " + std::to_string(*loaded) : "the tool in the spindle";
+}
+
 namespace {
 
 constexpr std::size_t kMostChanges = 1'000'000;
@@ -19,11 +25,6 @@ int tool_number(const Statement& statement, const Word& word, const std::string&
   if (!number || *number < 0)
     statement.fail(word, name + " " + in_quotes(word.text), "an integer from 0");
   return *number;
-}
-
-std::string loaded_name(const MachineState& state) {
-  const auto loaded = state.tools.loaded();
-  return loaded ? "tool " + std::to_string(*loaded) : "the tool in the spindle";
 }
 
 void use_stated(const Statement& statement, MachineState& state, double offset_mm,
@@ -63,6 +64,16 @@ void use_entry(const Statement& statement, const Word& blamed, int number, Machi
   use_own(statement, state, assumed);
 }
 
+/// By codes or words that change the tool's length and name no Z.
+void note_still_length(const Statement& statement, bool was_in_use, Assumptions& assumed) {
+  if (statement.rules().control != Control::fanuc || statement.word('Z')) return;
+  const bool ends = statement.g(GGroup::length_offset) == 490;
+  if (ends && !was_in_use) return;
+  assumed.add(statement.line(), std::string(ends ? "G49" : "G43 or H") +
+                                    " is taken to move nothing by itself; a control may be set to "
+                                    "move Z by the tool's length there (parameter 5006)");
+}
+
 /// Fanuc's and Haas's H stays until the next; H0 is no offset.
 void use_modal_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {
   const Word* const h = statement.word('H');
@@ -82,7 +93,10 @@ void use_modal_offset(const Statement& statement, MachineState& state, Assumptio
 void use_edge(const Statement& statement, const Word& d, MachineState& state,
               Assumptions& assumed) {
   const int edge = tool_number(statement, d, "cutting edge");
+  forbid_compensation(statement, d, state);
   state.modal.edge_is_taken = false;
+  state.modal.without_edge = edge == 0;
+  state.modal.is_due[2] = statement.rules().length_moves_z;
   if (edge == 0) return state.keeping_tip([&] { state.tools.clear_offset(); });
   const auto loaded = state.tools.loaded();
   const auto entry_mm = loaded ? state.tools.offset_of(*loaded) : std::nullopt;
@@ -154,7 +168,7 @@ void take_first_edge(MachineState& state, int tool) {
   const auto entry_mm = state.tools.offset_of(tool);
   if (!entry_mm) return;
   state.keeping_tip([&] { state.tools.use_offset(*entry_mm); });
-  state.modal.edge_is_taken = true;
+  state.modal.edge_is_taken = state.modal.is_due[2] = true;
 }
 
 }  // namespace
@@ -183,6 +197,7 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
     state.tools.load(*tool);
     state.refresh();
   }
+  state.modal.without_edge = false;
   if (statement.rules().length_by_d) take_first_edge(state, *tool);
 }
 
@@ -206,11 +221,12 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
   const bool again = !code && h && rules.modal_offset_words && state.modal.length_offset == 430;
   if (code || again) {
     state.modal.length_cancelled_by.reset();
-    state.modal.length_is_due = rules.length_moves_z;
+    state.modal.is_due[2] = rules.length_moves_z;
   }
+  if (!code && !again) return;
+  forbid_compensation(statement, again ? *h : *statement.g_word(GGroup::length_offset), state);
+  note_still_length(statement, state.tools.has_offset_in_use(), assumed);
   if (again) return use_modal_offset(statement, state, assumed);
-  if (!code) return;
-  forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
   const bool centres = *code == 434 || *code == 435;
   state.modal.length_offset = centres ? 430 : *code;
   if (*code == 490 || centres)
@@ -221,13 +237,7 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
     use_offset(statement, state, assumed);
     return enter_tool_centre(statement, state, assumed);
   }
-  if (*code == 490) {
-    if (rules.control == Control::fanuc && !statement.word('Z') && state.tools.has_offset_in_use())
-      assumed.add(statement.line(),
-                  "G49 is taken to move nothing by itself; a control may be set to move Z by the "
-                  "tool's length there (parameter 5006)");
-    return state.keeping_tip([&] { state.tools.clear_offset(); });
-  }
+  if (*code == 490) return state.keeping_tip([&] { state.tools.clear_offset(); });
   if (*code == 430) return use_offset(statement, state, assumed);
   if (*code == 431) return use_dynamic(statement, state, assumed);
   add_entry(statement, state);
@@ -295,104 +305,6 @@ void check_tip(const Statement& statement, const MachineState& state) {
                  "a feed motion under a length offset that is not that of " + loaded_name(state) +
                      ", whose length nothing states",
                  std::string("G43 for this tool, or ") + kLengths);
-}
-
-namespace {
-
-/// Fanuc's and Haas's D stays until the next; D0 is no offset.
-double modal_diameter(const Statement& statement, const Word& code, const MachineState& state) {
-  const auto number = state.modal.diameter_number;
-  const Word* const d = statement.word('D');
-  if (!number)
-    statement.fail(code, in_quotes(code.text) + " without the number of its offset", "D");
-  const auto diameter_mm = *number == 0 ? 0.0 : state.tools.diameter_of(*number);
-  if (!diameter_mm)
-    statement.fail(
-        d ? *d : code,
-        "cutter compensation by offset D" + std::to_string(*number) + ", which nothing states",
-        "G10 L12, or the tool table ([machine] tools in the job, or --tool-table)");
-  return *diameter_mm;
-}
-
-double diameter_of(const Statement& statement, const Word& code, const MachineState& state,
-                   bool dynamic) {
-  const Word* const d = statement.word('D');
-  if (statement.rules().modal_offset_words) return modal_diameter(statement, code, state);
-  if (dynamic && !d) statement.fail(code, in_quotes(code.text) + " without its diameter", "D");
-  if (dynamic) return length_of(statement, *d, state);
-  // Siemens's D names an edge of the tool in the spindle, and no tool.
-  const bool by_edge = statement.rules().length_by_d;
-  const auto number = d && !by_edge ? whole(d->value, kWholeCount) : 0;
-  if (!number || *number < 0)
-    statement.fail(*d, in_quotes(d->text) + " names no tool", "an integer from 0");
-  const auto tool = *number == 0 ? state.tools.loaded() : number;
-  const auto diameter_mm = state.tools.diameter_of(tool.value_or(0));
-  if (!diameter_mm)
-    statement.fail(d ? *d : code,
-                   "cutter compensation by the diameter of " +
-                       (tool ? "tool " + std::to_string(*tool) : "the tool in the spindle") +
-                       ", which nothing states",
-                   "the tool table ([machine] tools in the job, or --tool-table), or G41.1 D");
-  return *diameter_mm;
-}
-
-/// The tool whose diameter cutter compensation takes; none of a diameter that the block states.
-std::optional<int> diameter_number(const Statement& statement, const MachineState& state,
-                                   bool dynamic) {
-  const ControlRules& rules = statement.rules();
-  if (rules.modal_offset_words) return state.modal.diameter_number;
-  const Word* const d = statement.word('D');
-  if (dynamic || !d || rules.length_by_d) return std::nullopt;
-  return whole(d->value, kWholeCount);
-}
-
-/// A habit of some shops and a fault in others: carried out as it stands, and told.
-void tell_other_diameter(const Statement& statement, const MachineState& state, bool dynamic,
-                         Assumptions& assumed) {
-  const auto number = diameter_number(statement, state, dynamic);
-  const auto loaded = state.tools.loaded();
-  if (number && *number != 0 && loaded && *loaded != 0 && number != loaded)
-    assumed.add(statement.line(), "the diameter of tool " + std::to_string(*number) +
-                                      " is used for cutter compensation while " +
-                                      loaded_name(state) + " is in the spindle");
-}
-
-void begin(const Statement& statement, const Word& code, int tenths, MachineState& state,
-           CutterCompensation& compensation, Assumptions& assumed) {
-  forbid_compensation(statement, code, state);
-  if (state.modal.plane == ArcPlane::yz)
-    statement.fail(code, "cutter compensation in G19", "G17 or G18");
-  if (state.is_adrift())
-    statement.fail(code, "cutter compensation from a place that nothing states",
-                   "a motion of each axis to a coordinate first");
-  const double diameter_mm = diameter_of(statement, code, state, tenths % 10 == 1);
-  tell_other_diameter(statement, state, tenths % 10 == 1, assumed);
-  const bool left = tenths / 10 == 41;
-  const ControlRules& rules = statement.rules();
-  if (!rules.compensation_as_set.empty())
-    assumed.add(statement.line(),
-                "cutter compensation with " + std::string(rules.compensation_as_set));
-  compensation.use_inches(state.modal.unit_mm != 1);
-  compensation.begin(left ? CompensationSide::left : CompensationSide::right, diameter_mm / 2,
-                     state.modal.plane, state.position_mm, rules.compensation);
-  // LinuxCNC turns a negative radius over to the other side.
-  state.modal.compensation = left == (diameter_mm >= 0) ? 410 : 420;
-}
-
-}  // namespace
-
-void set_radius_offset(const Statement& statement, MachineState& state,
-                       CutterCompensation& compensation, Assumptions& assumed) {
-  const auto tenths = statement.g(GGroup::radius_offset);
-  if (!tenths) return;
-  const Word& code = *statement.g_word(GGroup::radius_offset);
-  const ControlRules& rules = statement.rules();
-  if (*tenths != 400) return begin(statement, code, *tenths, state, compensation, assumed);
-  if (compensation.active() && !names_place(statement, state.modal.plane) &&
-      rules.compensation != CompensationStyle::linuxcnc)
-    assumed.add(statement.line(), "G40 takes effect with the next move in its plane");
-  compensation.end();
-  state.modal.compensation = 400;
 }
 
 }  // namespace limitgauge::model::gcode

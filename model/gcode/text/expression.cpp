@@ -25,8 +25,8 @@ constexpr int kLoosest = 1;
 class ValueReader {
  public:
   ValueReader(Cursor& cursor, const Parameters& parameters, const Fail& fail,
-              const ControlRules& rules)
-      : cursor_(cursor), parameters_(parameters), fail_(fail), rules_(rules) {}
+              const ControlRules& rules, double steps = 0)
+      : cursor_(cursor), parameters_(parameters), fail_(fail), rules_(rules), steps_(steps) {}
 
   double value();
   /// Values joined by operators, without brackets around them.
@@ -62,6 +62,7 @@ class ValueReader {
   const Parameters& parameters_;
   const Fail& fail_;
   const ControlRules& rules_;
+  double steps_;  // in a unit, that ROUND rounds to; 0: to whole numbers
   int depth_ = 0;
   bool vacant_ = false;
 };
@@ -131,6 +132,7 @@ double ValueReader::value() {
 
 double ValueReader::signed_value() {
   const bool negative = cursor_.line[cursor_.at++] == '-';
+  if (const char c = peek(); !rules_.expressions && (c == '+' || c == '-')) missing();
   return negative ? -value() : value();
 }
 
@@ -279,6 +281,10 @@ double ValueReader::parameter() {
     vacant_ = true;
     return 0;
   }
+  const bool is_system = rules_.macro_b && name.number >= Parameters::kFirstMacroSystem;
+  if (!found && is_system)
+    fail(begin, "what #" + std::to_string(name.number) + " is here on the control nothing states",
+         "a program without it");
   if (!found)
     fail(begin,
          "parameter " +
@@ -305,9 +311,7 @@ double ValueReader::function() {
   const double argument = bracketed();
   vacant_ = false;
   if (*found == Function::atan) return arc_tangent(argument);
-  if (rules_.macro_b && *found == Function::fix) return std::trunc(argument);
-  if (rules_.macro_b && *found == Function::fup)
-    return argument < 0 ? std::floor(argument) : std::ceil(argument);
+  if (rules_.macro_b) return checked(apply_macro(*found, argument, steps_), begin);
   return checked(apply(*found, argument), begin);
 }
 
@@ -349,8 +353,9 @@ double read_value(Cursor& cursor, const Parameters& parameters, const Fail& fail
 }
 
 std::optional<double> read_value_or_vacant(Cursor& cursor, const Parameters& parameters,
-                                           const Fail& fail, const ControlRules& rules) {
-  ValueReader reader(cursor, parameters, fail, rules);
+                                           const Fail& fail, const ControlRules& rules,
+                                           double steps) {
+  ValueReader reader(cursor, parameters, fail, rules, steps);
   const double value = reader.value();
   return reader.vacant() ? std::nullopt : std::optional(value);
 }

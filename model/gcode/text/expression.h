@@ -39,9 +39,11 @@ bool value_begins(Cursor cursor);
 /// calculations, equal to nothing but #0 and other vacant ones.
 double read_value(Cursor& cursor, const Parameters& parameters, const Fail& fail,
                   const ControlRules& rules = rules_of(Control::linuxcnc));
-/// The same; nothing for a vacant variable alone.
+/// The same; nothing for a vacant variable alone. Of a word whose least increment is one of `steps`
+/// in a unit: ROUND rounds to that there (B-63684EN, 16.3; Haas 96-8210, "Notes on Functions").
 std::optional<double> read_value_or_vacant(Cursor& cursor, const Parameters& parameters,
-                                           const Fail& fail, const ControlRules& rules);
+                                           const Fail& fail, const ControlRules& rules,
+                                           double steps = 0);
 
 /// What stands behind `=`: under macro B a calculation without brackets around it.
 std::optional<double> read_setting_value(Cursor& cursor, const Parameters& parameters,

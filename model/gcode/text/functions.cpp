@@ -96,6 +96,21 @@ Computed apply(Function function, double argument) {
   }
 }
 
+Computed apply_macro(Function function, double argument, double steps) {
+  if (function == Function::fix) return {std::trunc(argument), {}, {}};
+  if (function == Function::fup)
+    return {argument < 0 ? std::floor(argument) : std::ceil(argument), {}, {}};
+  if (function == Function::round && steps > 0)
+    return {std::round(argument * steps) / steps, {}, {}};
+  // Parameter 6004#0 chooses between -90 to 90 degrees and 270 to 90.
+  if (function == Function::asin && argument < 0)
+    return {0,
+            "ASIN of a negative value is an angle of 270 degrees or more or below 0, as the "
+            "control is set",
+            "ASIN of 0 or more, its sign turned afterwards"};
+  return apply(function, argument);
+}
+
 double arc_tangent_deg(double y, double x) {
   return degrees(std::atan2(y, x));
 }

@@ -32,6 +32,10 @@ std::optional<Function> function_named(std::string_view name);
 /// Of all functions but atan and exists.
 Computed apply(Function function, double argument);
 
+/// The same under macro B (Fanuc B-63684EN, 16.3): FIX and FUP go towards and away from zero, ROUND
+/// to one of `steps` in a unit (0: to whole numbers), and ASIN of what is negative is refused.
+Computed apply_macro(Function function, double argument, double steps);
+
 /// The angle whose tangent is `y` / `x`, -180 to 180; 0 for two zeros.
 double arc_tangent_deg(double y, double x);
 

@@ -250,7 +250,7 @@ void Lexer::read_word(Block& block) {
   if (letter == 'O') fail_at_letter_o(begin);
   double value = 0;
   if (!read_plain_value(value)) {
-    const std::optional<double> found = read_general_value(begin);
+    const std::optional<double> found = read_general_value(begin, block);
     if (!found) {
       block.notes.push_back(in_quotes(cursor_.line.substr(begin, cursor_.at - begin)) +
                             " is left out, as a word of a vacant variable is");
@@ -279,13 +279,17 @@ bool Lexer::read_plain_value(double& value) {
   return true;
 }
 
-std::optional<double> Lexer::read_general_value(std::size_t word_begin) {
+std::optional<double> Lexer::read_general_value(std::size_t word_begin, const Block& block) {
   check_known_word(word_begin);
   if (!value_begins(cursor_))
     fail(word_begin,
          "the number of " + in_quotes(cursor_.line[word_begin]) + " is missing or malformed",
          "a number, a parameter, a function or an expression in brackets");
-  return read_value_or_vacant(cursor_, parameters_, fail_, rules_);
+  if (!rules_.rounds_calculated) return read_value_or_vacant(cursor_, parameters_, fail_, rules_);
+  constexpr int kUnits = 4006;
+  const bool in_inches = inches_stated(block).value_or(parameters_.numbered(kUnits) == 20);
+  return read_value_or_vacant(cursor_, parameters_, fail_, rules_,
+                              steps_in_unit(upper(cursor_.line[word_begin]), in_inches));
 }
 
 void Lexer::read_setting(Block& block) {

@@ -29,6 +29,10 @@ struct Word {
   }
 };
 
+/// Steps of the least input increment (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees) in a unit of a
+/// word of that letter; 0: it is no length and no angle.
+double steps_in_unit(char letter, bool in_inches);
+
 /// A comment as it stands in the program, with its parentheses, or from its semicolon to the last
 /// character of its line that is no blank.
 struct Comment {
@@ -94,6 +98,9 @@ struct Block {
     set_aside.clear();
   }
 };
+
+/// Whether G20 stands in the block, or G21; neither.
+std::optional<bool> inches_stated(const Block& block);
 
 /// Cuts RS274/NGC text into blocks of words, with the values of expressions and parameters as they
 /// are when the line is read. Blanks may stand anywhere, inside numbers too; letters may be lower
@@ -219,7 +226,7 @@ class Lexer {
   void read_label(OWord& o_word);
   void read_keyword(OWord& o_word);
   bool read_plain_value(double& value);
-  std::optional<double> read_general_value(std::size_t word_begin);
+  std::optional<double> read_general_value(std::size_t word_begin, const Block& block);
   void skip_comment();
   void skip_blanks();
   bool at_end() const { return cursor_.at >= cursor_.line.size(); }

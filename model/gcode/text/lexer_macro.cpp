@@ -10,7 +10,23 @@ constexpr std::size_t kLongestKeyword = 5;
 constexpr int kMostLoops = 3;
 constexpr int kLargestBlockNumber = 99'999'999;
 
+/// Letters of words that are lengths or angles.
+constexpr std::string_view kLengthLetters = "XYZIJKRQ", kAngleLetters = "ABC";
+
 }  // namespace
+
+double steps_in_unit(char letter, bool in_inches) {
+  constexpr double kSteps = 1000, kStepsInch = 10'000;
+  if (kAngleLetters.find(letter) != std::string_view::npos) return kSteps;
+  if (kLengthLetters.find(letter) == std::string_view::npos) return 0;
+  return in_inches ? kStepsInch : kSteps;
+}
+
+std::optional<bool> inches_stated(const Block& block) {
+  for (const Word& word : block.words)
+    if (word.letter == 'G' && (word.value == 20 || word.value == 21)) return word.value == 20;
+  return std::nullopt;
+}
 
 /// The next letters without blanks, in lower case; as many as a keyword has.
 std::string Lexer::letters_ahead() const {

@@ -11,10 +11,10 @@ namespace limitgauge::model::gcode {
 namespace {
 
 /// Statements that say how the control moves along the programmed path, and not where.
-constexpr std::array<std::string_view, 22> kSettings = {
-    "SOFT",  "BRISK",   "DRIVE",    "FFWON",   "FFWOF",    "NORM",     "KONT",   "CFC",
-    "CFTCP", "CFIN",    "COMPOF",   "CUT2D",   "CUT2DF",   "DIAMOF",   "STOPRE", "UPATH",
-    "SPATH", "TRAFOOF", "FIFOCTRL", "DYNNORM", "DYNROUGH", "DYNFINISH"};
+constexpr std::array<std::string_view, 21> kSettings = {
+    "SOFT",  "BRISK", "DRIVE",   "FFWON",    "FFWOF",   "NORM",     "CFC",
+    "CFTCP", "CFIN",  "COMPOF",  "CUT2D",    "CUT2DF",  "DIAMOF",   "STOPRE",
+    "UPATH", "SPATH", "TRAFOOF", "FIFOCTRL", "DYNNORM", "DYNROUGH", "DYNFINISH"};
 constexpr std::array<std::string_view, 3> kRemarks = {"MSG", "WORKPIECE", "SETAL"};
 
 template <std::size_t count>
@@ -35,6 +35,7 @@ std::string reason_of(const std::string& name) {
   if (begins("GOTO") || begins("IF") || begins("WHILE") || begins("FOR") || begins("REPEAT") ||
       begins("LOOP") || begins("CASE") || begins("ELSE") || begins("END"))
     return "jumps and loops of its language are not carried out";
+  if (begins("KONT")) return "cutter compensation begins and ends by NORM";
   return "it is a statement of Siemens's language that is not carried out";
 }
 

@@ -1,5 +1,7 @@
 #include "model/gcode/text/plain_line.h"
 
+#include <algorithm>
+
 #include "model/gcode/text/plain_number.h"
 #include "model/text/characters.h"
 
@@ -41,6 +43,7 @@ const char* read_axis(const char* at, const char* limit, std::size_t axis, Plain
   line.axes[axis] = negative ? -run.value() : run.value();
   line.stated |= 1U << axis;
   line.has_whole_number |= !run.has_point && run.whole != 0;
+  line.most_decimals = std::max(line.most_decimals, run.decimals);
   return run.end;
 }
 

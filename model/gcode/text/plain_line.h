@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -14,7 +15,8 @@ struct PlainLine {
   std::optional<int> motion;     ///< the G code in tenths
   /// A number other than 0 has no decimal point: what some controls take for increments.
   bool has_whole_number = false;
-  std::uint32_t line = 0;  ///< Block::line
+  std::ptrdiff_t most_decimals = 0;  ///< digits behind a point
+  std::uint32_t line = 0;            ///< Block::line
 
   bool states(std::size_t axis) const { return (stated >> axis & 1U) != 0; }
 };

@@ -86,10 +86,10 @@ TEST_CASE("stock from an earlier run", "[unit][job][stock]") {
   CHECK(says(
       job,
       "stock stock.vdb: taken as the triangle mesh of its zero set at a voxel of 0.25 mm; "
-      "nothing is known of what cut it, nor of fins and slots thinner than that, which such "
-      "a file may lack; its edges are blunt by up to 0.434 mm, so that leftovers of it are taken "
-      "to stand out that much more, and by as much grooves may be deeper and contacts with it be "
-      "missed"));
+      "nothing is known of what cut it, nor of fins, pins, slots and sharp tips into which no "
+      "ball of 0.434 mm fits, which such a file may lack altogether; other edges are blunt by up "
+      "to 0.434 mm, so that leftovers of it are taken to stand out that much more, and by as much "
+      "grooves may be deeper and contacts with it be missed"));
 }
 
 TEST_CASE("stock files that are wrong", "[unit][job][stock]") {

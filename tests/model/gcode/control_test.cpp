@@ -75,40 +75,27 @@ TEST_CASE("G53 is a rapid on Fanuc whatever stands beside it, and what stands th
   CHECK(kinds(Control::linuxcnc, "G53 X1.\n") == "f");
 }
 
-TEST_CASE("Siemens's D1 is in effect behind a change of the tool, and it is said",
-          "[unit][program]") {
-  MachineSetup machine = of(Control::siemens);
-  machine.tools = {{1, 80, std::nullopt}, {2, 50, std::nullopt}};
+TEST_CASE("G43 and H without Z move nothing on Fanuc, and it is said", "[unit][program]") {
+  MachineSetup machine = of(Control::fanuc);
+  machine.tools = {{1, 80, std::nullopt}, {2, 90, std::nullopt}};
   const auto read = [&](const std::string& text) {
-    return read_text("G71 G90 G94\nT1 M6\n" + text, machine);
+    return read_text("G21 G90 T1 M6\nG0 X0. Y0. Z50.\n" + text, machine);
   };
-  const std::string note = "D1 is taken to be in effect";
-  const Program silent = read("G0 X0 Y0 Z5\nT2 M6\nG0 X0 Y0 Z5\n");
-  CHECK(silent.motions.back().to == Vec3{0, 0, 5});
-  CHECK(says(silent, note));
-  for (const std::string said : {"D1\nG0 Z5\n", "D1 G0 Z5\n", "G0 D1 Z5\n"}) {
-    CHECK(read(said).motions.back().to.z == 5);
-    CHECK(!says(read(said), note));
-  }
-  // Without an offset the spindle's nose is where the program says.
-  CHECK(read("D0\nG0 Z100\n").motions.back().to.z == 20);
-  CHECK(!says(read("D0\nG0 Z100\n"), note));
+  const std::string note = "G43 or H is taken to move nothing by itself";
+  CHECK(!says(read("G43 H1 Z10.\n"), note));
+  CHECK(says(read("G43 H1\nZ10.\n"), note));
+  CHECK(says(read("G43 H1 Z10.\nH2\nZ10.\n"), note));
 }
 
-TEST_CASE("Siemens's length stays in effect beside SUPA, unless D0 takes it out",
-          "[unit][program]") {
-  MachineSetup machine = of(Control::siemens);
-  machine.tools = {{1, 80, std::nullopt}};
-  const auto read = [&](const std::string& text) {
-    return read_text("G71 G90 G94 G54\nT1 M6\nD1\n" + text, machine);
-  };
-  for (const std::string code : {"SUPA", "G53", "G153"}) {
-    const Program kept = read(code + " G0 Z-100\n"), left = read("G0 " + code + " Z-100 D0\n");
-    CHECK(kept.motions.back().to.z == -100);
-    CHECK(says(kept, "the tool's length is taken to stay in effect"));
-    CHECK(left.motions.back().to.z == -180);
-    CHECK(!says(left, "the tool's length is taken to stay in effect"));
+TEST_CASE("decimals beyond the least increment are told once", "[unit][program]") {
+  const std::string note = "more decimals than";
+  for (const std::string line : {"X1.2345\n", "X1.2345 M8\n", "G2 X2. Y0. I1.0001 J0. F100.\n"}) {
+    CHECK(says(read_text("G21 G90 G17\nG0 X0. Y0.\n" + line, of(Control::fanuc)), note));
+    CHECK(!says(read_text("G21 G90 G17\nG0 X0. Y0.\n" + line, of(Control::linuxcnc)), note));
   }
+  CHECK(!says(read_text("G21 G90\nG0 X1.2340\n", of(Control::fanuc)), note));
+  CHECK(!says(read_text("G20 G90\nG0 X1.2345\n", of(Control::fanuc)), note));
+  CHECK(says(read_text("G20 G90\nG0 X1.23456\n", of(Control::haas)), note));
 }
 
 TEST_CASE("one word, two controls, two meanings", "[unit][program]") {

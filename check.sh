@@ -34,6 +34,8 @@ cmake --preset sanitize "${common[@]}" >/dev/null
 # each other have had their turn above, and nothing in them is left to build.
 parts=(model engine simulator verifier study history reports app)
 cmake --build --preset sanitize --target "${parts[@]/#/test_}"
+# Less freed memory held back, and fewer frames kept of each allocation, take a tenth of the time off.
+export ASAN_OPTIONS=quarantine_size_mb=64:malloc_context_size=6
 ctest --test-dir build/sanitize -L "$sanitized" -LE slow -R "^($(IFS='|'; echo "${parts[*]}")):" \
   --output-on-failure -j "$jobs"
 

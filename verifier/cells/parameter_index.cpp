@@ -63,8 +63,10 @@ std::int32_t ParameterIndex::build(std::span<const IndexedCell> cells,
   const auto here = static_cast<std::int32_t>(nodes_.size());
   nodes_.emplace_back();
   const double u = middle_of(region.u0, region.u1), v = middle_of(region.v0, region.v1);
-  const bool in_u = list.size() > 1 && splits_cleanly(cells, list, true, u);
-  if (list.size() <= 1 || (!in_u && !splits_cleanly(cells, list, false, v))) {
+  // A cell alone may have a point beside it, which is no part of it.
+  const bool is_whole = list.size() == 1 && cells[list.front()].rect.holds(region);
+  const bool in_u = splits_cleanly(cells, list, true, u);
+  if (is_whole || (!in_u && !splits_cleanly(cells, list, false, v))) {
     nodes_[here].first = static_cast<std::uint32_t>(order_.size());
     nodes_[here].count = static_cast<std::uint32_t>(list.size());
     order_.insert(order_.end(), list.begin(), list.end());

@@ -41,7 +41,7 @@ Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell, CellHalves
   if (endless && contact->too_steep()) return Reach::unreachable;
   if (endless && open.witness && bars_all(*open.witness, *contact)) return Reach::unreachable;
   open.level = contact->level() && reachability_.profile().flat_mm > 0;
-  if (open.level) return decide_level(cell, *contact, parts);
+  if (open.level) return decide_level(cell, open.cell.whole, *contact, parts);
   if (contact->touchable() && prove(open, cell, *contact, parts)) return Reach::reachable;
   // Where all else of S is cleared, only what is left of it can be cut into: its middles have
   // been looked at.
@@ -52,10 +52,10 @@ Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell, CellHalves
 /// On a level spot the flat may stand anywhere over the point: one place suffices, which is carried
 /// along with the points of the cell or, as in a slot hardly wider than the cutter, stays where it
 /// is.
-Reach CellClassifier::decide_level(const SurfaceCell& cell, const CellContact& contact,
-                                   CellHalves& parts) const {
+Reach CellClassifier::decide_level(const SurfaceCell& cell, std::uint32_t whole,
+                                   const CellContact& contact, CellHalves& parts) const {
   // What is cleared about a level spot does not depend on where the flat stands over it.
-  const auto cleared = local_.clear(cell, contact.displaced({}));
+  const auto cleared = local_.clear(cell, contact.displaced({}), whole);
   for (int k = -1; k < kLevelDirections; ++k) {
     const double angle = 2 * pi * k / kLevelDirections;
     const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
@@ -69,7 +69,8 @@ Reach CellClassifier::decide_level(const SurfaceCell& cell, const CellContact& c
 
 bool CellClassifier::prove(OpenCell& open, const SurfaceCell& cell, const CellContact& contact,
                            CellHalves& parts) const {
-  if (!open.cleared) return prove_beyond(open, local_.clear(cell, contact), contact, parts);
+  if (!open.cleared)
+    return prove_beyond(open, local_.clear(cell, contact, open.cell.whole), contact, parts);
   std::erase_if(open.pending, [&](std::uint32_t k) {
     return clears_cell(contact, open.cleared, k, parts, open.witness);
   });
@@ -77,7 +78,7 @@ bool CellClassifier::prove(OpenCell& open, const SurfaceCell& cell, const CellCo
 }
 
 /// Of all that is not cleared; what is left of it is kept.
-bool CellClassifier::prove_beyond(OpenCell& open, const std::optional<ClearedRect>& cleared,
+bool CellClassifier::prove_beyond(OpenCell& open, const std::optional<Cleared>& cleared,
                                   const CellContact& contact, CellHalves& parts) const {
   // Where nothing is bent, the contact plane does: on an upright wall the cutter's straight side
   // leaves the curvature's proof no room, and facets of a mesh are bent by rounding alone.
@@ -90,7 +91,7 @@ bool CellClassifier::prove_beyond(OpenCell& open, const std::optional<ClearedRec
 }
 
 /// Gathers all cells of S that are not proven to stay clear; false when there are too many.
-bool CellClassifier::search(const CellContact& c, const std::optional<ClearedRect>& cleared,
+bool CellClassifier::search(const CellContact& c, const std::optional<Cleared>& cleared,
                             std::vector<std::uint32_t>& pending, std::optional<Vec3>& witness,
                             CellHalves& parts) const {
   bool cut = false;
@@ -120,19 +121,19 @@ bool CellClassifier::below_contact_plane(const CellContact& c, const model::Box3
 }
 
 /// Whether the cutter stays clear of a cell of S wherever it touches the cell under test.
-bool CellClassifier::clears_cell(const CellContact& c, const std::optional<ClearedRect>& cleared,
+bool CellClassifier::clears_cell(const CellContact& c, const std::optional<Cleared>& cleared,
                                  std::uint32_t index, CellHalves& parts,
                                  std::optional<Vec3>& witness) const {
-  Looks looks{parts, witness, kMostParts};
+  Looks looks{parts, witness, index, kMostParts};
   return clears(c, cleared, parts.whole(index), looks);
 }
 
 /// The same of a part of it. What holds of a ball round it needs no look at its sixteen control
 /// points.
-bool CellClassifier::clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
+bool CellClassifier::clears(const CellContact& c, const std::optional<Cleared>& cleared,
                             CellHalves::Part& other, Looks& looks) const {
   if (--looks.left < 0) return false;
-  if (cleared && local_.holds(*cleared, *other.cell)) return true;
+  if (cleared && local_.holds(*cleared, looks.whole, other)) return true;
   const Vec3& centre = other.middle;
   const BodyDistance d = standing_distance(c.profile(), c.tip(), centre);
   if (d.value < limit_ && !c.turning()) {

@@ -17,7 +17,7 @@ namespace limitgauge::verifier {
 struct OpenCell {
   CellPart cell;
   std::optional<model::Vec3> witness;  ///< a point of S that the cutter cuts into nearby
-  std::optional<ClearedRect> cleared;  ///< proven not to be cut into
+  std::optional<Cleared> cleared;      ///< proven not to be cut into
   std::vector<std::uint32_t> pending;  ///< with `cleared`: all other cells not proven so
   bool level = false;                  ///< a flat may touch with any of its points
   bool recorded = false;               ///< decided elsewhere: nothing of the above is known
@@ -34,12 +34,13 @@ class CellClassifier {
   Reach decide(OpenCell& open, const SurfaceCell& cell, CellHalves& parts) const;
 
  private:
-  Reach decide_level(const SurfaceCell& cell, const CellContact& contact, CellHalves& parts) const;
+  Reach decide_level(const SurfaceCell& cell, std::uint32_t whole, const CellContact& contact,
+                     CellHalves& parts) const;
   bool prove(OpenCell& open, const SurfaceCell& cell, const CellContact& contact,
              CellHalves& parts) const;
-  bool prove_beyond(OpenCell& open, const std::optional<ClearedRect>& cleared,
+  bool prove_beyond(OpenCell& open, const std::optional<Cleared>& cleared,
                     const CellContact& contact, CellHalves& parts) const;
-  bool search(const CellContact& c, const std::optional<ClearedRect>& cleared,
+  bool search(const CellContact& c, const std::optional<Cleared>& cleared,
               std::vector<std::uint32_t>& pending, std::optional<model::Vec3>& witness,
               CellHalves& parts) const;
   bool below_contact_plane(const CellContact& c, const model::Box3& box) const;
@@ -47,13 +48,13 @@ class CellClassifier {
   struct Looks {
     CellHalves& parts;
     std::optional<model::Vec3>& witness;
-    int left = 0;  ///< how many more parts of it may be looked at
+    std::uint32_t whole = 0;  ///< the cell
+    int left = 0;             ///< how many more parts of it may be looked at
   };
-  bool clears_cell(const CellContact& c, const std::optional<ClearedRect>& cleared,
-                   std::uint32_t index, CellHalves& parts,
-                   std::optional<model::Vec3>& witness) const;
-  bool clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
-              CellHalves::Part& other, Looks& looks) const;
+  bool clears_cell(const CellContact& c, const std::optional<Cleared>& cleared, std::uint32_t index,
+                   CellHalves& parts, std::optional<model::Vec3>& witness) const;
+  bool clears(const CellContact& c, const std::optional<Cleared>& cleared, CellHalves::Part& other,
+              Looks& looks) const;
   bool clears_by_distance(const CellContact& c, const CellHalves::Part& other,
                           const BodyDistance& d) const;
   bool clears_by_plane(const CellContact& c, const CellHalves::Part& other, double apart) const;

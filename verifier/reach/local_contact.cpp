@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "model/geometry/interval.h"
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
@@ -15,24 +15,6 @@ using model::Box3;
 using model::Interval;
 using model::Vec3;
 
-/// Holds d·x for every x of the box.
-Interval along(const Box3& box, const Vec3& d) {
-  const Vec3 c = box.centre(), h = box.size() * 0.5;
-  const double at = dot(c, d);
-  const double by = h.x * std::abs(d.x) + h.y * std::abs(d.y) + h.z * std::abs(d.z);
-  return {at - by, at + by};
-}
-/// Holds f·x + g·y for every x of one box and y of the other.
-Box3 mixed(double f, const Box3& a, double g, const Box3& b) {
-  const Vec3 c = a.centre() * f + b.centre() * g,
-             h = (a.size() * std::abs(f) + b.size() * std::abs(g)) * 0.5;
-  return {c - h, c + h};
-}
-double longest(const Box3& box) {
-  const auto far = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
-  return length(
-      Vec3{far(box.low.x, box.high.x), far(box.low.y, box.high.y), far(box.low.z, box.high.z)});
-}
 Box3 negated(const Box3& box) {
   return {-box.high, -box.low};
 }
@@ -47,6 +29,29 @@ struct Clearance {
 /// the next one fails: from so many radii of the cell to so many, or to three of the cells that S
 /// is cut into to begin with, if that is more.
 constexpr double kLeastMargin = 3.2, kMostMargin = 6.2, kMarginStep = 1.18;
+
+/// How wide the discs are over which S is looked at as a graph: where a ball is further from its
+/// tangent plane than kGap / 2 radii of the cell, between so many of the radii of the cells that S
+/// is cut into, and then how often and by how much less.
+constexpr double kGap = 8, kLeastReach_mm = 1, kLeastDisc = 4, kWidestDisc = 10, kDiscStep = 0.8;
+constexpr int kDiscTries = 6;
+
+/// No clearance that is the same all round is greater: a ball's bend, or that of the circle in
+/// which the rounding of another cutter touches.
+double most_bend(const CellContact& c, double reach) {
+  if (c.profile().flat_mm <= 0) return reach > 0 ? 1 / reach : 0;
+  if (c.turning() || c.level()) return 0;
+  return std::sin(std::min(c.tilt() + c.alpha(), std::numbers::pi / 2)) / c.profile().flat_mm;
+}
+
+/// The cells of a region that come nearer than a disc is wide.
+ClearedDisc cleared_disc(const GraphRegion& region, double radius_mm, const CellContact& contact) {
+  ClearedDisc out{{}, contact.middle(), radius_mm - contact.radius() - kDistanceRounding_mm};
+  for (const GraphRegion::Cell& cell : region.cells)
+    if (cell.near_mm < radius_mm) out.cells.push_back(cell.index);
+  std::sort(out.cells.begin(), out.cells.end());
+  return out;
+}
 
 }  // namespace
 
@@ -64,28 +69,19 @@ struct LocalContact::Spans {
   }
 };
 
-/// The directions that components are taken along, and parameters (x, y) in which S is nearly a
-/// plane in square millimetres about a cell's middle, where bounds on products of derivatives are
-/// tightest: u = x·u_x + y·u_y, v = y·v_y.
+/// The directions that components are taken along.
 struct LocalContact::Frame {
   Vec3 n, t, b;     ///< normal, along the cutter's meridian, across it
   double lean = 0;  ///< how far a normal of the cell may be from n
-  double u_x = 1, u_y = 0, v_y = 1;
-  double along_u_mm = 0, along_v_mm = 0;  ///< lengths of the first derivatives in the middle
+  PlaneParameters plane;
 
   /// None where S has no plane.
   static std::optional<Frame> of(const SurfaceCell& cell, const CellContact& contact) {
+    const auto plane = PlaneParameters::of(cell);
+    if (!plane) return std::nullopt;
     const Vec3& e = contact.direction();
-    Frame f{contact.normal(), {}, {-e.y, e.x, 0}, 2 * std::sin(contact.alpha() / 2)};
+    Frame f{contact.normal(), {}, {-e.y, e.x, 0}, 2 * std::sin(contact.alpha() / 2), *plane};
     f.t = cross(f.b, f.n);
-    const BezierJet j = jet(cell.shape, 0.5, 0.5);
-    const Vec3 along_u = j.du / cell.size_u, along_v = j.dv / cell.size_v;
-    f.along_u_mm = length(along_u), f.along_v_mm = length(along_v);
-    f.u_x = 1 / f.along_u_mm;
-    const double skew = dot(along_v, along_u) * f.u_x * f.u_x;
-    f.v_y = 1 / length(along_v - along_u * skew);
-    f.u_y = -skew * f.v_y;
-    if (!std::isfinite(f.u_x) || !std::isfinite(f.v_y)) return std::nullopt;
     return f;
   }
 };
@@ -135,29 +131,16 @@ bool positive(const Interval& uu, const Interval& uv, const Interval& vv) {
 
 LocalContact::LocalContact(const std::vector<SurfaceCell>& cells, double allowance_mm,
                            double contact_mm)
-    : index_(cells), charts_(cells, index_), allowance_mm_(allowance_mm), contact_mm_(contact_mm) {
+    : index_(cells),
+      charts_(cells, index_),
+      regions_(cells, index_, charts_),
+      allowance_mm_(allowance_mm),
+      contact_mm_(contact_mm) {
   hulls_.reserve(cells.size());
   for (const SurfaceCell& cell : cells) {
-    hulls_.push_back(hull_of(cell));
+    hulls_.push_back(derivative_hull(cell));
     usual_radius_mm_ = std::max(usual_radius_mm_, control_radius(cell.shape, middle(cell.shape)));
   }
-}
-
-LocalContact::DerivativeHull LocalContact::hull_of(const SurfaceCell& cell) {
-  DerivativeHull h;
-  const Bezier& b = cell.shape;
-  const auto at = [&](int i, int j) { return b.control(4 * j + i); };
-  const double u = 1 / cell.size_u, v = 1 / cell.size_v;
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i) {
-      if (i < 3) h.u.add((at(i + 1, j) - at(i, j)) * (3 * u));
-      if (j < 3) h.v.add((at(i, j + 1) - at(i, j)) * (3 * v));
-      if (i < 2) h.uu.add((at(i + 2, j) - at(i + 1, j) * 2 + at(i, j)) * (6 * u * u));
-      if (j < 2) h.vv.add((at(i, j + 2) - at(i, j + 1) * 2 + at(i, j)) * (6 * v * v));
-      if (i < 3 && j < 3)
-        h.uv.add((at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)) * (9 * u * v));
-    }
-  return h;
 }
 
 ParameterRect LocalContact::clipped(int patch, const ParameterRect& own,
@@ -201,11 +184,7 @@ void LocalContact::add_spans(Spans& s, int patch, const ParameterRect& rect,
       const Box3 own_v = placed.turns >= 2 ? negated(along_v) : along_v;
       const Box3 own_uv = swapped ? negated(h.uv) : h.uv;
       const Box3 &own_uu = swapped ? h.vv : h.uu, &own_vv = swapped ? h.uu : h.vv;
-      const Box3 u = mixed(f.u_x, own_u, 0, own_v), v = mixed(f.u_y, own_u, f.v_y, own_v);
-      const Box3 uu = mixed(f.u_x * f.u_x, own_uu, 0, own_uv),
-                 uv = mixed(f.u_x * f.u_y, own_uu, f.u_x * f.v_y, own_uv),
-                 vv = mixed(1, mixed(f.u_y * f.u_y, own_uu, 2 * f.u_y * f.v_y, own_uv),
-                            f.v_y * f.v_y, own_vv);
+      const auto [u, v, uu, uv, vv] = f.plane.taken({own_u, own_v, own_uu, own_uv, own_vv});
       s.uz.add(along(own_u, z)), s.vz.add(along(own_v, z));
       s.ut.add(along(u, f.t)), s.ub.add(along(u, f.b)), s.un.add(along(u, f.n));
       s.vt.add(along(v, f.t)), s.vb.add(along(v, f.b)), s.vn.add(along(v, f.n));
@@ -223,7 +202,7 @@ bool LocalContact::proven(const ParameterRect& area, const ParameterRect& own,
                           const CellContact& contact, const Frame& f, const Spans& s) const {
   const double du = std::max(own.u1 - area.u0, area.u1 - own.u0),
                dv = std::max(own.v1 - area.v0, area.v1 - own.v0);
-  const double y = dv / f.v_y, x = (du + std::abs(f.u_y) * y) / f.u_x;
+  const double y = dv / f.plane.v_y, x = (du + std::abs(f.plane.u_y) * y) / f.plane.u_x;
   const double far = s.longest(x, y), rise = s.uz.largest() * du + s.vz.largest() * dv;
   const double reach = contact.profile().rounding_mm + allowance_mm_;
   // What may be cut into, less what the turn of a normal on a wall takes.
@@ -241,12 +220,12 @@ bool LocalContact::proven(const ParameterRect& area, const ParameterRect& own,
   return any_clearance(contact, reach, far, rise, serves);
 }
 
-std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,
-                                               const CellContact& contact) const {
+std::optional<ClearedRect> LocalContact::clear_rect(const SurfaceCell& cell,
+                                                    const CellContact& contact) const {
   const ParameterRect own = rect_of(cell);
   const auto frame = Frame::of(cell, contact);
   if (!frame) return std::nullopt;
-  const double u = frame->along_u_mm, v = frame->along_v_mm;
+  const double u = frame->plane.along_u_mm, v = frame->plane.along_v_mm;
   const auto around = [&](double margin) {
     return clipped(
         cell.patch, own,
@@ -280,11 +259,50 @@ std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,
   return cleared;
 }
 
-bool LocalContact::holds(const ClearedRect& cleared, const SurfaceCell& cell) const {
-  const auto& chart = charts_.around(cleared.patch);
+/// By the bend of S as a graph over the contact's plane: it asks for a way round the cell without
+/// edges, and is indifferent to how unevenly parameters run.
+std::shared_ptr<const ClearedDisc> LocalContact::clear_disc(const CellContact& contact,
+                                                            std::uint32_t whole) const {
+  const double h = contact.radius(), reach = contact.profile().rounding_mm + allowance_mm_;
+  // Beyond it the cutter should be further off than its tip strays over the cell, a few times h.
+  const double enough = std::sqrt(kGap * h * std::max(reach, kLeastReach_mm));
+  const double widest =
+      std::clamp(enough, kLeastDisc * usual_radius_mm_, kWidestDisc * usual_radius_mm_);
+  const auto region = regions_.around(contact, whole, widest, most_bend(contact, reach));
+  if (!region) return nullptr;
+  double radius = region->limit_mm;
+  for (int tries = 0; tries < kDiscTries && radius > 2 * h; ++tries, radius *= kDiscStep) {
+    const auto disc = region->over(radius);
+    if (!disc || contact_mm_ - kContactTurn_rad * radius < 0) continue;
+    const bool serves = any_clearance(
+        contact, reach, radius, std::min(radius, disc->rise_mm),
+        [&](const Clearance& c) { return std::min(c.along, c.across) >= disc->bend; });
+    if (serves) return std::make_shared<const ClearedDisc>(cleared_disc(*region, radius, contact));
+  }
+  return nullptr;
+}
+
+std::optional<Cleared> LocalContact::clear(const SurfaceCell& cell, const CellContact& contact,
+                                           std::uint32_t whole) const {
+  if (const auto rect = clear_rect(cell, contact)) return *rect;
+  if (auto disc = clear_disc(contact, whole)) return disc;
+  return std::nullopt;
+}
+
+bool LocalContact::holds(const Cleared& cleared, std::uint32_t whole,
+                         const CellHalves::Part& part) const {
+  if (const auto* const disc = std::get_if<std::shared_ptr<const ClearedDisc>>(&cleared))
+    return (*disc)->holds(whole, part.middle, part.radius_mm);
+  const ClearedRect& area = std::get<ClearedRect>(cleared);
+  const auto& chart = charts_.around(area.patch);
   return std::any_of(chart.begin(), chart.end(), [&](const PlacedPatch& p) {
-    return p.patch == cell.patch && cleared.rect.holds(p.to_chart(rect_of(cell)));
+    return p.patch == part.cell->patch && area.rect.holds(p.to_chart(rect_of(*part.cell)));
   });
+}
+
+bool ClearedDisc::holds(std::uint32_t whole, const Vec3& middle, double part_radius_mm) const {
+  return distance(middle, centre) + part_radius_mm < radius_mm &&
+         std::binary_search(cells.begin(), cells.end(), whole);
 }
 
 }  // namespace limitgauge::verifier

@@ -1,7 +1,13 @@
 #pragma once
 
+#include <memory>
+#include <variant>
+
+#include "verifier/cells/cell_halves.h"
+#include "verifier/cells/derivative_hull.h"
 #include "verifier/cells/patch_charts.h"
 #include "verifier/reach/cell_contact.h"
+#include "verifier/reach/graph_region.h"
 
 namespace limitgauge::verifier {
 
@@ -12,6 +18,17 @@ struct ClearedRect {
   ParameterRect rect;
 };
 
+/// The same as what lies near enough to the middle of the contact, among cells that S goes on in.
+struct ClearedDisc {
+  std::vector<std::uint32_t> cells;  ///< sorted
+  model::Vec3 centre;
+  double radius_mm = 0;
+
+  /// Whether a part of cell `whole` does, with all its control points round its middle.
+  bool holds(std::uint32_t whole, const model::Vec3& middle, double part_radius_mm) const;
+};
+using Cleared = std::variant<ClearedRect, std::shared_ptr<const ClearedDisc>>;
+
 /// Proof by curvature that a cutter which touches a cell does not cut into S close by, where the
 /// distance itself tends to zero and no bound on it can help: between S and the cutter's section
 /// along and across its meridian (CERTIFICATE.md, section 4).
@@ -19,20 +36,20 @@ class LocalContact {
  public:
   LocalContact(const std::vector<SurfaceCell>& cells, double allowance_mm, double contact_mm);
 
-  /// The largest of a few rectangles for which the proof goes through, if any.
-  std::optional<ClearedRect> clear(const SurfaceCell& cell, const CellContact& contact) const;
-  /// Whether all of `cell` lies in `cleared`.
-  bool holds(const ClearedRect& cleared, const SurfaceCell& cell) const;
+  /// The largest of a few rectangles, or else discs, for which the proof goes through, if any.
+  /// `cell` is a part of cell `whole`.
+  std::optional<Cleared> clear(const SurfaceCell& cell, const CellContact& contact,
+                               std::uint32_t whole) const;
+  /// Whether all of a part of cell `whole` lies in `cleared`.
+  bool holds(const Cleared& cleared, std::uint32_t whole, const CellHalves::Part& part) const;
 
  private:
-  /// Boxes of the derivatives over a cell, in mm per unit of its patch's parameters.
-  struct DerivativeHull {
-    model::Box3 u, v, uu, uv, vv;
-  };
   struct Spans;
   struct Frame;
 
-  static DerivativeHull hull_of(const SurfaceCell& cell);
+  std::optional<ClearedRect> clear_rect(const SurfaceCell& cell, const CellContact& contact) const;
+  std::shared_ptr<const ClearedDisc> clear_disc(const CellContact& contact,
+                                                std::uint32_t whole) const;
   ParameterRect clipped(int patch, const ParameterRect& own, ParameterRect wanted) const;
   void add_spans(Spans& spans, int patch, const ParameterRect& rect,
                  const std::optional<ParameterRect>& inner, const Frame& frame) const;
@@ -41,6 +58,7 @@ class LocalContact {
 
   ParameterIndex index_;
   PatchCharts charts_;
+  GraphRegions regions_;
   std::vector<DerivativeHull> hulls_;
   double allowance_mm_, contact_mm_;
   double usual_radius_mm_ = 0;

@@ -68,4 +68,22 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("places of what is left out as a point are in no cell", "[property][cells]") {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int round = 0; round < 40; ++round) {
+    std::vector<IndexedCell> cells = random_parts(random, 60);
+    for (IndexedCell& cell : cells) cell.is_point = random() % 4 == 0;
+    const ParameterIndex index{std::span<const IndexedCell>(cells)};
+    for (int k = 0; k < 500; ++k) {
+      const double u = share(random), v = share(random);
+      const auto found = index.find(0, u, v);
+      const auto holds = [&](const IndexedCell& cell) { return cell.rect.holds({u, u, v, v}); };
+      const auto expected = std::find_if(cells.begin(), cells.end(), holds);
+      CHECK(found.has_value() == !expected->is_point);
+      if (found) CHECK(holds(cells[*found]));
+    }
+  }
+}
+
 }  // namespace limitgauge::verifier

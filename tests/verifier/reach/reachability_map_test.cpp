@@ -66,6 +66,19 @@ TEST_CASE("certified areas of a trough that a ball does not fit bracket the clos
   CHECK(last < 0.03 * surface.area_mm2());
 }
 
+TEST_CASE("a ball that hardly notices a surface's bend reaches it whole, irregular vertices too",
+          "[property]") {
+  for (const int valence : {3, 5, 12}) {
+    const ReferenceSurface surface(star_cage(valence, 1));
+    const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface.tree()));
+    const Reachability reach(cells, CutterProfile(ball_cutter(1)), 0, 1e-4);
+    const ReachMap map = classify_reach(cells, reach, {0.1, 200'000}, {2});
+    CHECK(map.unreachable_area_mm2() == 0);
+    // Beside the vertex and the rim no disc is wide enough, and a rectangle's bounds are wide.
+    CHECK(map.undecided_area_mm2() < (valence == 12 ? 0.02 : 0.01) * surface.area_mm2());
+  }
+}
+
 TEST_CASE("the underside of a closed surface is out of reach, to half its area", "[property]") {
   const ReferenceSurface cube(cube_cage());
   const SurfaceCells cells(cube.tree(), 0.2);

@@ -210,7 +210,7 @@ class GraphRegions::Search {
     return *shape.bend / (cosine * cosine * cosine);
   }
 
-  /// Indices that were seen, at most twice kMostCells of them and a few.
+  /// Indices that were seen, of cells of a region and those beside them: room for 2048.
   class SeenCells {
    public:
     /// False where it was seen before. Once there is no room all count as seen.

@@ -292,6 +292,9 @@ TEST_CASE("a work offset that the program sets is not assumed", "[unit][program]
   CHECK(lies_at_zero("G55 G0 X1\n"));
   CHECK(lies_at_zero("G10 L2 P2 X1\nG55 G0 X1\n"));
   CHECK(!lies_at_zero("G10 L2 P2 X1 Y2 Z3\nG55 G0 X1\n"));
+  MachineSetup stated = of(Control::linuxcnc);
+  stated.work_offsets = {WorkOffset{{}, 0}, WorkOffset{{0, 0, 20}, 0}};
+  CHECK(!says(read_text("G55 G0 X1\n", stated), "lies at the machine's zero"));
 }
 
 TEST_CASE("subprograms in files of a folder", "[unit][program]") {

@@ -29,6 +29,20 @@ bool is_moved(const MeshPlace& place) {
   return place.scale != 1 || !(place.translate_mm == model::Vec3{});
 }
 
+std::string rounded_up_mm(double length_mm) {
+  return model::shortest(std::ceil(length_mm * 1000) / 1000) + " mm";
+}
+
+/// What holds no ball of such a diameter a level set may lack altogether: a ball of a voxel's
+/// diagonal holds a node of the grid. Through another file before, it has to hold one such ball
+/// when that one's blunt edge has been taken off all round.
+double surely_kept_mm(const simulator::VdbStock& read) {
+  const double diagonal_mm = model::kBluntVoxels * read.voxel_mm;
+  constexpr double kRounding = 1e-9;
+  const bool is_first = read.blunt_mm <= diagonal_mm * (1 + kRounding);
+  return is_first ? diagonal_mm : 2 * read.blunt_mm;
+}
+
 }  // namespace
 
 StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& as_stated,
@@ -49,24 +63,6 @@ StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& 
   loaded.stock = stock_of(std::move(reading.mesh), as_stated, 0);
   return near_stock(file, std::move(loaded));
 }
-
-namespace {
-
-std::string rounded_up_mm(double length_mm) {
-  return model::shortest(std::ceil(length_mm * 1000) / 1000) + " mm";
-}
-
-/// What holds no ball of such a diameter a level set may lack altogether: a ball of a voxel's
-/// diagonal holds a node of the grid. Through another file before, it has to hold one such ball
-/// when that one's blunt edge has been taken off all round.
-double surely_kept_mm(const simulator::VdbStock& read) {
-  const double diagonal_mm = model::kBluntVoxels * read.voxel_mm;
-  constexpr double kRounding = 1e-9;
-  const bool is_first = read.blunt_mm <= diagonal_mm * (1 + kRounding);
-  return is_first ? diagonal_mm : 2 * read.blunt_mm;
-}
-
-}  // namespace
 
 StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated) {
   simulator::VdbStock read = simulator::read_vdb_stock(file);

@@ -28,10 +28,7 @@ CellClassifier::CellClassifier(const SurfaceCells& cells, const Reachability& re
     : cells_(cells),
       reachability_(reachability),
       limit_(reachability.allowance_mm() - reachability.contact_mm()),
-      local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {
-  middles_.reserve(cells.cells().size());
-  for (const SurfaceCell& cell : cells.cells()) middles_.push_back(middle(cell.shape));
-}
+      local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {}
 
 Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell, CellHalves& parts) const {
   const auto contact = CellContact::of(offset_cell(cell.shape, {}), reachability_.profile(),
@@ -213,7 +210,7 @@ std::optional<Vec3> CellClassifier::deepest_middle(const Vec3& tip) const {
       [&](double bound) { return bound >= best; },
       [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const Vec3& p = middles_[k];
+          const Vec3& p = local_.middles()[k];
           const double d = standing_distance(profile, tip, p).value;
           if (d < best) best = d, found = p;
         }

@@ -67,7 +67,6 @@ class CellClassifier {
   const Reachability& reachability_;
   double limit_;
   LocalContact local_;
-  std::vector<model::Vec3> middles_;  ///< of all cells
 };
 
 }  // namespace limitgauge::verifier

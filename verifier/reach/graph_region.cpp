@@ -92,6 +92,7 @@ GraphRegions::GraphRegions(const std::vector<SurfaceCell>& cells, const Paramete
   for (const SurfaceCell& cell : cells) {
     middles_.push_back(middle(cell.shape));
     radii_mm_.push_back(control_radius(cell.shape, middles_.back()));
+    largest_radius_mm_ = std::max(largest_radius_mm_, radii_mm_.back());
     const auto patch = static_cast<std::size_t>(cell.patch);
     if (is_point(cell) && patch < points_.size()) points_[patch].push_back(rect_of(cell));
   }

@@ -42,6 +42,11 @@ class GraphRegions {
   GraphRegions(const std::vector<SurfaceCell>& cells, const ParameterIndex& index,
                const PatchCharts& charts);
 
+  /// Of all cells, by index.
+  const std::vector<model::Vec3>& middles() const { return middles_; }
+  /// No cell's control points lie further from its middle.
+  double largest_radius_mm() const { return largest_radius_mm_; }
+
   /// Round a contact of a part of cell `whole`, as far as `widest_mm`, as far as S goes on without
   /// an edge, an end or an irregular vertex, and as far as nothing bends more than `most_bend`
   /// (1/mm). None where the cell itself is no graph.
@@ -67,6 +72,7 @@ class GraphRegions {
   const PatchCharts& charts_;
   std::vector<model::Vec3> middles_;
   std::vector<double> radii_mm_;
+  double largest_radius_mm_ = 0;
   std::vector<std::vector<ParameterRect>> points_;  ///< by patch, those of irregular vertices
   mutable std::vector<std::unique_ptr<const Shape>> shapes_;
   mutable std::unique_ptr<std::once_flag[]> known_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "verifier/tolerance.h"
@@ -137,10 +136,7 @@ LocalContact::LocalContact(const std::vector<SurfaceCell>& cells, double allowan
       allowance_mm_(allowance_mm),
       contact_mm_(contact_mm) {
   hulls_.reserve(cells.size());
-  for (const SurfaceCell& cell : cells) {
-    hulls_.push_back(derivative_hull(cell));
-    usual_radius_mm_ = std::max(usual_radius_mm_, control_radius(cell.shape, middle(cell.shape)));
-  }
+  for (const SurfaceCell& cell : cells) hulls_.push_back(derivative_hull(cell));
 }
 
 ParameterRect LocalContact::clipped(int patch, const ParameterRect& own,
@@ -205,8 +201,7 @@ bool LocalContact::proven(const ParameterRect& area, const ParameterRect& own,
   const double y = dv / f.plane.v_y, x = (du + std::abs(f.plane.u_y) * y) / f.plane.u_x;
   const double far = s.longest(x, y), rise = s.uz.largest() * du + s.vz.largest() * dv;
   const double reach = contact.profile().rounding_mm + allowance_mm_;
-  // What may be cut into, less what the turn of a normal on a wall takes.
-  const double slack = contact_mm_ - kContactTurn_rad * far;
+  const double slack = slack_mm(far);
   if (slack < 0) return false;
   const auto serves = [&](const Clearance& c) {
     const Interval ut = s.ut.widened(c.turn * s.u), ub = s.ub.widened(c.turn * s.u),
@@ -240,7 +235,7 @@ std::optional<ClearedRect> LocalContact::clear_rect(const SurfaceCell& cell,
   ParameterRect seen = middle;
   std::optional<ParameterRect> failed;
   std::optional<ClearedRect> cleared;
-  const double widest = std::max(kMostMargin * h, 3 * usual_radius_mm_);
+  const double widest = std::max(kMostMargin * h, 3 * regions_.largest_radius_mm());
   for (double margin = kLeastMargin * h; margin <= widest; margin *= kMarginStep) {
     const ParameterRect area = around(margin);
     if (failed && area.holds(*failed)) continue;
@@ -266,14 +261,14 @@ std::shared_ptr<const ClearedDisc> LocalContact::clear_disc(const CellContact& c
   const double h = contact.radius(), reach = contact.profile().rounding_mm + allowance_mm_;
   // Beyond it the cutter should be further off than its tip strays over the cell, a few times h.
   const double enough = std::sqrt(kGap * h * std::max(reach, kLeastReach_mm));
-  const double widest =
-      std::clamp(enough, kLeastDisc * usual_radius_mm_, kWidestDisc * usual_radius_mm_);
+  const double usual = regions_.largest_radius_mm();
+  const double widest = std::clamp(enough, kLeastDisc * usual, kWidestDisc * usual);
   const auto region = regions_.around(contact, whole, widest, most_bend(contact, reach));
   if (!region) return nullptr;
   double radius = region->limit_mm;
   for (int tries = 0; tries < kDiscTries && radius > 2 * h; ++tries, radius *= kDiscStep) {
     const auto disc = region->over(radius);
-    if (!disc || contact_mm_ - kContactTurn_rad * radius < 0) continue;
+    if (!disc || slack_mm(radius) < 0) continue;
     const bool serves = any_clearance(
         contact, reach, radius, std::min(radius, disc->rise_mm),
         [&](const Clearance& c) { return std::min(c.along, c.across) >= disc->bend; });

@@ -8,6 +8,7 @@
 #include "verifier/cells/patch_charts.h"
 #include "verifier/reach/cell_contact.h"
 #include "verifier/reach/graph_region.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
@@ -34,12 +35,17 @@ using Cleared = std::variant<ClearedRect, std::shared_ptr<const ClearedDisc>>;
 /// along and across its meridian (CERTIFICATE.md, section 4).
 class LocalContact {
  public:
+  /// Of cells that outlive this.
   LocalContact(const std::vector<SurfaceCell>& cells, double allowance_mm, double contact_mm);
+  LocalContact(const LocalContact&) = delete;
+  LocalContact& operator=(const LocalContact&) = delete;
 
   /// The largest of a few rectangles, or else discs, for which the proof goes through, if any.
   /// `cell` is a part of cell `whole`.
   std::optional<Cleared> clear(const SurfaceCell& cell, const CellContact& contact,
                                std::uint32_t whole) const;
+  /// Of all cells, by index.
+  const std::vector<model::Vec3>& middles() const { return regions_.middles(); }
   /// Whether all of a part of cell `whole` lies in `cleared`.
   bool holds(const Cleared& cleared, std::uint32_t whole, const CellHalves::Part& part) const;
 
@@ -48,6 +54,8 @@ class LocalContact {
   struct Frame;
 
   std::optional<ClearedRect> clear_rect(const SurfaceCell& cell, const CellContact& contact) const;
+  /// What may be cut into so far away, less what the turn of a normal on a wall takes.
+  double slack_mm(double far_mm) const { return contact_mm_ - kContactTurn_rad * far_mm; }
   std::shared_ptr<const ClearedDisc> clear_disc(const CellContact& contact,
                                                 std::uint32_t whole) const;
   ParameterRect clipped(int patch, const ParameterRect& own, ParameterRect wanted) const;
@@ -61,7 +69,6 @@ class LocalContact {
   GraphRegions regions_;
   std::vector<DerivativeHull> hulls_;
   double allowance_mm_, contact_mm_;
-  double usual_radius_mm_ = 0;
 };
 
 }  // namespace limitgauge::verifier

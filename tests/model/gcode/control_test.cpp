@@ -9,6 +9,7 @@
 #include "tests/support/temporary_folder.h"
 
 using namespace limitgauge::model;
+using limitgauge::model::test::assumes;
 using limitgauge::model::test::read_text;
 using limitgauge::tests::message_of;
 
@@ -24,12 +25,6 @@ MachineSetup of(Control control) {
 std::string offer_of(const std::string& text, Control control) {
   return message_of<InputError>(
       [&] { read_program_or_name_control(std::string_view(text), "p.nc", of(control)); });
-}
-
-bool says(const Program& program, const std::string& part) {
-  for (const std::string& text : program.assumed)
-    if (text.find(part) != std::string::npos) return true;
-  return false;
 }
 
 }  // namespace
@@ -82,20 +77,20 @@ TEST_CASE("G43 and H without Z move nothing on Fanuc, and it is said", "[unit][p
     return read_text("G21 G90 T1 M6\nG0 X0. Y0. Z50.\n" + text, machine);
   };
   const std::string note = "G43 or H is taken to move nothing by itself";
-  CHECK(!says(read("G43 H1 Z10.\n"), note));
-  CHECK(says(read("G43 H1\nZ10.\n"), note));
-  CHECK(says(read("G43 H1 Z10.\nH2\nZ10.\n"), note));
+  CHECK(!assumes(read("G43 H1 Z10.\n"), note));
+  CHECK(assumes(read("G43 H1\nZ10.\n"), note));
+  CHECK(assumes(read("G43 H1 Z10.\nH2\nZ10.\n"), note));
 }
 
 TEST_CASE("decimals beyond the least increment are told once", "[unit][program]") {
   const std::string note = "more decimals than";
   for (const std::string line : {"X1.2345\n", "X1.2345 M8\n", "G2 X2. Y0. I1.0001 J0. F100.\n"}) {
-    CHECK(says(read_text("G21 G90 G17\nG0 X0. Y0.\n" + line, of(Control::fanuc)), note));
-    CHECK(!says(read_text("G21 G90 G17\nG0 X0. Y0.\n" + line, of(Control::linuxcnc)), note));
+    CHECK(assumes(read_text("G21 G90 G17\nG0 X0. Y0.\n" + line, of(Control::fanuc)), note));
+    CHECK(!assumes(read_text("G21 G90 G17\nG0 X0. Y0.\n" + line, of(Control::linuxcnc)), note));
   }
-  CHECK(!says(read_text("G21 G90\nG0 X1.2340\n", of(Control::fanuc)), note));
-  CHECK(!says(read_text("G20 G90\nG0 X1.2345\n", of(Control::fanuc)), note));
-  CHECK(says(read_text("G20 G90\nG0 X1.23456\n", of(Control::haas)), note));
+  CHECK(!assumes(read_text("G21 G90\nG0 X1.2340\n", of(Control::fanuc)), note));
+  CHECK(!assumes(read_text("G20 G90\nG0 X1.2345\n", of(Control::fanuc)), note));
+  CHECK(assumes(read_text("G20 G90\nG0 X1.23456\n", of(Control::haas)), note));
 }
 
 TEST_CASE("one word, two controls, two meanings", "[unit][program]") {
@@ -259,42 +254,43 @@ TEST_CASE("a refusal names the controls that would read the program", "[unit][pr
 }
 
 TEST_CASE("what a control's parameters decide is listed as assumed", "[unit][program]") {
-  CHECK(says(read_text("G0 X10\n", of(Control::fanuc)), "'X10' and other lengths without"));
-  CHECK(!says(read_text("G0 X10. Y0\n", of(Control::fanuc)), "without a decimal point"));
-  CHECK(!says(read_text("G0 X10\n", of(Control::mach3)), "without a decimal point"));
-  CHECK(says(read_text("G81 X0. Z-1. R1. F9\n", of(Control::haas)), "begun in G98"));
-  CHECK(!says(read_text("G98 G81 X0. Z-1. R1. F9\n", of(Control::haas)), "begun in"));
-  CHECK(says(read_text("X1.\n", of(Control::haas)), "begun in G0"));
-  CHECK(says(read_text("G21\nX1.\n", of(Control::haas)), "begun in G0"));
-  CHECK(!says(read_text("G21\nG0 X1.\nX2.\n", of(Control::haas)), "begun in G0"));
-  CHECK(says(read_text("G99 G73 X0. Z-9. R1. Q2. F9\n", of(Control::haas)), "0.254 mm"));
-  CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::fanuc)), "state radii"));
-  CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::haas)), "state diameters"));
-  CHECK(says(read_text("G10 L12 P1 R3.\nG0 X0. Y0. Z0.\nG41 D1\n", of(Control::fanuc)), "type A"));
+  CHECK(assumes(read_text("G0 X10\n", of(Control::fanuc)), "'X10' and other lengths without"));
+  CHECK(!assumes(read_text("G0 X10. Y0\n", of(Control::fanuc)), "without a decimal point"));
+  CHECK(!assumes(read_text("G0 X10\n", of(Control::mach3)), "without a decimal point"));
+  CHECK(assumes(read_text("G81 X0. Z-1. R1. F9\n", of(Control::haas)), "begun in G98"));
+  CHECK(!assumes(read_text("G98 G81 X0. Z-1. R1. F9\n", of(Control::haas)), "begun in"));
+  CHECK(assumes(read_text("X1.\n", of(Control::haas)), "begun in G0"));
+  CHECK(assumes(read_text("G21\nX1.\n", of(Control::haas)), "begun in G0"));
+  CHECK(!assumes(read_text("G21\nG0 X1.\nX2.\n", of(Control::haas)), "begun in G0"));
+  CHECK(assumes(read_text("G99 G73 X0. Z-9. R1. Q2. F9\n", of(Control::haas)), "0.254 mm"));
+  CHECK(assumes(read_text("G10 L12 P1 R3.\n", of(Control::fanuc)), "state radii"));
+  CHECK(assumes(read_text("G10 L12 P1 R3.\n", of(Control::haas)), "state diameters"));
   CHECK(
-      says(read_text("#1=2\n#1=3 G0 X#1\n", of(Control::fanuc)), "variables that are set beside"));
-  CHECK(!says(read_text("#1=2\nN5 #1=3\nG0 X#1\n", of(Control::fanuc)), "variables that are"));
+      assumes(read_text("G10 L12 P1 R3.\nG0 X0. Y0. Z0.\nG41 D1\n", of(Control::fanuc)), "type A"));
+  CHECK(assumes(read_text("#1=2\n#1=3 G0 X#1\n", of(Control::fanuc)),
+                "variables that are set beside"));
+  CHECK(!assumes(read_text("#1=2\nN5 #1=3\nG0 X#1\n", of(Control::fanuc)), "variables that are"));
   const std::string contour =
       "G21 G90 G17 G40 F9.\nG10 L12 P1 R3.\nG0 X0. Y0. Z0.\nG1 G41 D1 X9.\nX20.\n";
-  CHECK(says(read_text(contour + "G40\nG0 Z9.\nX30.\n", of(Control::haas)), "G40 takes effect"));
-  CHECK(!says(read_text(contour + "G40 X30.\n", of(Control::haas)), "G40 takes effect"));
-  CHECK(says(read_text("G18 G99 G81 X0. Y-1. R1. F9\n", of(Control::fanuc)), "5101#0"));
-  CHECK(says(read_text("#1=#0\nG0 X#1 Y1.\n", of(Control::haas)), "is left out"));
-  CHECK(says(read_text("G0 X\xE2\x88\x92"
-                       "1\n"),
-             "a dash that is not ASCII's"));
+  CHECK(assumes(read_text(contour + "G40\nG0 Z9.\nX30.\n", of(Control::haas)), "G40 takes effect"));
+  CHECK(!assumes(read_text(contour + "G40 X30.\n", of(Control::haas)), "G40 takes effect"));
+  CHECK(assumes(read_text("G18 G99 G81 X0. Y-1. R1. F9\n", of(Control::fanuc)), "5101#0"));
+  CHECK(assumes(read_text("#1=#0\nG0 X#1 Y1.\n", of(Control::haas)), "is left out"));
+  CHECK(assumes(read_text("G0 X\xE2\x88\x92"
+                          "1\n"),
+                "a dash that is not ASCII's"));
 }
 
 TEST_CASE("a work offset that the program sets is not assumed", "[unit][program]") {
   const auto lies_at_zero = [](const std::string& text) {
-    return says(read_text(text, of(Control::linuxcnc)), "G55 lies at the machine's zero");
+    return assumes(read_text(text, of(Control::linuxcnc)), "G55 lies at the machine's zero");
   };
   CHECK(lies_at_zero("G55 G0 X1\n"));
   CHECK(lies_at_zero("G10 L2 P2 X1\nG55 G0 X1\n"));
   CHECK(!lies_at_zero("G10 L2 P2 X1 Y2 Z3\nG55 G0 X1\n"));
   MachineSetup stated = of(Control::linuxcnc);
   stated.work_offsets = {WorkOffset{{}, 0}, WorkOffset{{0, 0, 20}, 0}};
-  CHECK(!says(read_text("G55 G0 X1\n", stated), "lies at the machine's zero"));
+  CHECK(!assumes(read_text("G55 G0 X1\n", stated), "lies at the machine's zero"));
 }
 
 TEST_CASE("subprograms in files of a folder", "[unit][program]") {
@@ -358,10 +354,10 @@ TEST_CASE("text in other encodings", "[unit][program]") {
 
 TEST_CASE("the M6 that stopped the spindle is named", "[unit][program]") {
   const std::string start = "G21 G90\nT1 M6\nM3 S900\nG0 X0 Y0 Z0\nG1 X1 F90\n";
-  CHECK(says(read_text(start + "T2 M6\nG0 X2\nG1 X3\n"),
-             "line 8: feeds with the spindle at rest: the M6 of line 6 has stopped it"));
-  CHECK(!says(read_text(start + "T2 M6\nM3\nG1 X3\n"), "spindle at rest"));
-  CHECK(!says(read_text(start + "M5\nT2 M6\nG1 X3\n"), "spindle at rest"));
+  CHECK(assumes(read_text(start + "T2 M6\nG0 X2\nG1 X3\n"),
+                "line 8: feeds with the spindle at rest: the M6 of line 6 has stopped it"));
+  CHECK(!assumes(read_text(start + "T2 M6\nM3\nG1 X3\n"), "spindle at rest"));
+  CHECK(!assumes(read_text(start + "M5\nT2 M6\nG1 X3\n"), "spindle at rest"));
 }
 
 TEST_CASE("what variables and expressions give is rounded to the least increment on Fanuc and Haas",
@@ -378,8 +374,8 @@ TEST_CASE("what variables and expressions give is rounded to the least increment
     CHECK(end("#1=1.23456\nG21 G0 X#1 Y-#1 Z1.23456\n", control).y == Approx(-1.235).epsilon(1e-9));
     CHECK(end("#1=1.23456\nG21 G0 X#1 Y-#1 Z1.23456\n", control).z ==
           Approx(1.23456).epsilon(1e-9));
-    CHECK(says(read_text("G90 G21 G0 X[10./3.]\n", of(control)), "are rounded to 0.001 mm"));
-    CHECK(!says(read_text("G90 G21 G0 X[0.1+0.2]\n", of(control)), "are rounded to 0.001 mm"));
+    CHECK(assumes(read_text("G90 G21 G0 X[10./3.]\n", of(control)), "are rounded to 0.001 mm"));
+    CHECK(!assumes(read_text("G90 G21 G0 X[0.1+0.2]\n", of(control)), "are rounded to 0.001 mm"));
   }
   CHECK(end("G21 G0 X[10/3]\n", Control::linuxcnc).x == Approx(10.0 / 3).epsilon(1e-12));
 }
@@ -397,9 +393,9 @@ TEST_CASE("axis words beside codes that only name axes move nothing", "[unit][pr
 
 TEST_CASE("arguments of G65 without a decimal point are listed", "[unit][program]") {
   const auto listed = [](const std::string& words) {
-    return says(read_text("G90 G21 G0 X0.\nG65 P2 " + words + "\nM30\nO2\nG0 X1.\nM99\n",
-                          of(Control::fanuc)),
-                "and other arguments of G65 without a decimal point");
+    return assumes(read_text("G90 G21 G0 X0.\nG65 P2 " + words + "\nM30\nO2\nG0 X1.\nM99\n",
+                             of(Control::fanuc)),
+                   "and other arguments of G65 without a decimal point");
   };
   CHECK(listed("A6"));
   CHECK(listed("A6. B7"));

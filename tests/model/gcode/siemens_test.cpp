@@ -3,6 +3,7 @@
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;
+using limitgauge::model::test::assumes;
 using limitgauge::model::test::read_text;
 
 namespace {
@@ -12,12 +13,6 @@ MachineSetup siemens() {
   machine.control = Control::siemens;
   machine.assume_fresh_machine = true;
   return machine;
-}
-
-bool tells(const Program& program, const std::string& part) {
-  for (const std::string& text : program.assumed)
-    if (text.find(part) != std::string::npos) return true;
-  return false;
 }
 
 }  // namespace
@@ -32,14 +27,14 @@ TEST_CASE("Siemens's D1 is in effect behind a change of the tool, and it is said
   const std::string note = "D1 is taken to be in effect";
   const Program silent = read("G0 X0 Y0 Z5\nT2 M6\nG0 X0 Y0 Z5\n");
   CHECK(silent.motions.back().to == Vec3{0, 0, 5});
-  CHECK(tells(silent, note));
+  CHECK(assumes(silent, note));
   for (const std::string said : {"D1\nG0 Z5\n", "D1 G0 Z5\n", "G0 D1 Z5\n"}) {
     CHECK(read(said).motions.back().to.z == 5);
-    CHECK(!tells(read(said), note));
+    CHECK(!assumes(read(said), note));
   }
   // Without an offset the spindle's nose is where the program says.
   CHECK(read("D0\nG0 Z100\n").motions.back().to.z == 20);
-  CHECK(!tells(read("D0\nG0 Z100\n"), note));
+  CHECK(!assumes(read("D0\nG0 Z100\n"), note));
 }
 
 TEST_CASE("Siemens's D is the radius's too, and stays while cutter compensation is on",
@@ -75,8 +70,8 @@ TEST_CASE("Siemens makes up for another length or zero offset in G91, too", "[un
 TEST_CASE("the length of Siemens's D is taken along Z in every plane, and it is said",
           "[unit][program]") {
   const std::string note = "the tool's length is taken to act along Z";
-  CHECK(tells(read_text("G71 G90\nG18\nG0 X1\n", siemens()), note));
-  CHECK(!tells(read_text("G71 G90\nG17\nG0 X1\n", siemens()), note));
+  CHECK(assumes(read_text("G71 G90\nG18\nG0 X1\n", siemens()), note));
+  CHECK(!assumes(read_text("G71 G90\nG17\nG0 X1\n", siemens()), note));
 }
 
 TEST_CASE("Siemens's length stays in effect beside SUPA, unless D0 takes it out",
@@ -89,8 +84,8 @@ TEST_CASE("Siemens's length stays in effect beside SUPA, unless D0 takes it out"
   for (const std::string code : {"SUPA", "G53", "G153"}) {
     const Program kept = read(code + " G0 Z-100\n"), left = read("G0 " + code + " Z-100 D0\n");
     CHECK(kept.motions.back().to.z == -100);
-    CHECK(tells(kept, "the tool's length is taken to stay in effect"));
+    CHECK(assumes(kept, "the tool's length is taken to stay in effect"));
     CHECK(left.motions.back().to.z == -180);
-    CHECK(!tells(left, "the tool's length is taken to stay in effect"));
+    CHECK(!assumes(left, "the tool's length is taken to stay in effect"));
   }
 }

@@ -121,6 +121,8 @@ class ProgramWriter(Writer):
                      self.word(LETTERS[second], self.value(-20, 20))]
             if self.random.random() < 0.4:
                 words.pop(self.random.randint(0, 1))
+            if self.plane == 17 and self.random.random() < 0.1:
+                words = [self.polar_words()]
             if stated or self.random.random() < 0.2:
                 clear = self.value(-5, 10)
                 depth = round(self.value(0.5, 12) + 0.1, 4)
@@ -281,7 +283,7 @@ class ProgramWriter(Writer):
     def statement(self):
         choices = [self.straight] * 6 + [self.arc] * 5 + [self.change_modes] * 2
         choices += [self.change_frame, self.machine_move, self.cycles, self.compensated_contour]
-        choices.append(self.calculation)
+        choices += [self.calculation, self.polar]
         if self.depth == 0:
             choices += [self.change_tool, self.block]
         if self.depth == 1:

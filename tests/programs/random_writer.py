@@ -106,6 +106,25 @@ class Writer:
         for axis, value in values.items():
             self.position[axis] = value + (self.position[axis] if self.incremental else 0)
 
+    def polar_words(self):
+        """X and Y by distance and angle, either, or both; the tool may stand anywhere but at the origin."""
+        turn = self.random.choice([0, 30, 90, -45, 360 / 7, 200, -400])
+        words = [f"^{turn:.6f}"] if self.random.random() < 0.7 else []
+        if not words or self.random.random() < 0.6:
+            words.insert(0, self.word("@", self.value(-3, 12) if self.incremental else self.value(1, 30)))
+        return " ".join(words)
+
+    def polar(self):
+        if self.plane != 17:
+            self.select_plane(17)
+        if self.position is None or math.hypot(*self.position[:2]) < 1e-3:
+            self.position = [7.25, -3.5, 1.0]
+            self.rows.append("G90 G0 X7.25 Y-3.5 Z1")
+            self.incremental, self.motion = False, 0
+        motion = self.random.choice([0, 1, 1])
+        self.rows.append(f"{self.code(motion)}{self.polar_words()}{self.feed(motion)}")
+        self.forget()
+
     def arc(self):
         if self.position is None:
             self.go_to_known_place()

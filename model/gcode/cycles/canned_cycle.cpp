@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/base/tolerance.h"
+#include "model/gcode/cycles/polar_place.h"
 
 namespace limitgauge::model::gcode {
 namespace {
@@ -61,9 +62,32 @@ void check_spindle(const Statement& statement, const CycleContext& context) {
                    "M3 or M4 before it");
 }
 
+/// The words that say where holes are.
+struct PlaceWords {
+  const Statement& statement;
+  const CycleContext& context;
+  std::array<int, 2> axes;
+
+  bool is_stated(int i) const {
+    if (statement.is_polar()) return polar().is_stated();
+    return statement.word(kAxes[axes[i]]) && !context.incremental;
+  }
+  /// The next hole, from the one before.
+  Vec2 from(Vec2 at_mm) const {
+    if (statement.is_polar()) return polar_end(statement, polar(), at_mm);
+    for (int i = 0; i < 2; ++i)
+      if (const Word* const word = statement.word(kAxes[axes[i]]))
+        at_mm[i] = word->value * context.unit_mm + (context.incremental ? at_mm[i] : 0);
+    return at_mm;
+  }
+
+ private:
+  PolarPlace polar() const { return polar_of(statement, context.unit_mm, context.incremental); }
+};
+
 void check_count(const Statement& statement, const CycleGeometry& cycle) {
   const double moves =
-      static_cast<double>(cycle.holes) * static_cast<double>(most_moves_per_hole(cycle));
+      static_cast<double>(cycle.holes_mm.size()) * static_cast<double>(most_moves_per_hole(cycle));
   if (moves > static_cast<double>(CannedCycles::kMostMoves))
     statement.fail(word_or_blamed(statement, statement.word('L') ? 'L' : 'Q'),
                    "a canned cycle of more than 100000 moves", "a smaller L or a larger Q");
@@ -89,7 +113,7 @@ CycleMotions CannedCycles::moves(const Statement& statement, const CycleContext&
   const CycleGeometry cycle = geometry(statement, context);
   CycleMotions motions;
   motions.end_mm = context.position_mm;
-  if (cycle.holes == 0) return motions;  // Fanuc's K0 and Haas's L0 only store the words
+  if (cycle.holes_mm.empty()) return motions;  // Fanuc's K0 and Haas's L0 only store the words
   motions.moves = cycle_moves(cycle);
   check_moves(statement, motions.moves);
   motions.end_mm = motions.moves.back().to_mm;
@@ -98,7 +122,7 @@ CycleMotions CannedCycles::moves(const Statement& statement, const CycleContext&
 }
 
 void CannedCycles::check_state(const Statement& statement, const CycleContext& context) const {
-  if (!statement.first_of({'X', 'Y', 'Z'}))
+  if (!statement.has_axes() && !statement.is_polar())
     statement.fail(blamed(statement), cycle_name(context.code) + " without an axis word",
                    "X, Y or Z");
   if (context.inverse_time)
@@ -124,7 +148,6 @@ CycleGeometry CannedCycles::geometry(const Statement& statement,
   cycle.start_mm = context.position_mm;
   cycle.feeds_to_r = statement.rules().separate_cycle_group;
   cycle.goes_across_as_it_stands = statement.rules().fanuc_cycles;
-  cycle.holes = holes_of(statement, static_cast<int>(kMostMoves));
   add_places(statement, context, cycle);
   add_levels(statement, context, cycle);
   add_back_bore(context, cycle);
@@ -135,15 +158,13 @@ CycleGeometry CannedCycles::geometry(const Statement& statement,
 
 void CannedCycles::add_places(const Statement& statement, const CycleContext& context,
                               CycleGeometry& cycle) const {
-  const auto axes = axes_of(context.plane);
-  for (int i = 0; i < 2; ++i) {
-    cycle.hole_mm[i] = context.position_mm[axes[i]];
-    const Word* const word = statement.word(kAxes[axes[i]]);
-    if (!word) continue;
-    (context.incremental ? cycle.step_mm : cycle.hole_mm)[i] = word->value * context.unit_mm;
-    cycle.stated[axes[i]] = !context.incremental;
-  }
-  cycle.stated[axes[2]] = !words_.r_is_step && !words_.bottom_is_step;
+  const auto [first, second, along] = axes_of(context.plane);
+  const PlaceWords words{statement, context, {first, second}};
+  Vec2 at_mm = {context.position_mm[first], context.position_mm[second]};
+  for (int hole = holes_of(statement, static_cast<int>(kMostMoves)); hole > 0; --hole)
+    cycle.holes_mm.push_back(at_mm = words.from(at_mm));
+  cycle.stated[first] = words.is_stated(0), cycle.stated[second] = words.is_stated(1);
+  cycle.stated[along] = !words_.r_is_step && !words_.bottom_is_step;
 }
 
 /// LinuxCNC counts R from the initial level, even where the tool stands elsewhere by now.

@@ -119,7 +119,7 @@ int holes_of(const Statement& statement, int most) {
 
 const Word& blamed(const Statement& statement) {
   const Word* const code = statement.g_word(GGroup::motion);
-  return code ? *code : *statement.first_of({'X', 'Y', 'Z'});
+  return code ? *code : *statement.first_of({'X', 'Y', 'Z', '@', '^'});
 }
 
 const Word& word_or_blamed(const Statement& statement, char letter) {

@@ -7,12 +7,12 @@ namespace {
 class Writer {
  public:
   explicit Writer(const CycleGeometry& geometry)
-      : geometry_(geometry), at_(geometry.hole_mm), axes_(axes_of(geometry.plane)) {}
+      : geometry_(geometry), axes_(axes_of(geometry.plane)) {}
 
   std::vector<CycleMove> run() {
     if (geometry_.lifts_first) lift();
-    for (int hole = 0; hole < geometry_.holes; ++hole) {
-      at_ = {at_[0] + geometry_.step_mm[0], at_[1] + geometry_.step_mm[1]};
+    for (std::size_t hole = 0; hole < geometry_.holes_mm.size(); ++hole) {
+      at_ = geometry_.holes_mm[hole];
       approach(hole == 0);
       machine();
     }
@@ -128,7 +128,7 @@ class Writer {
   }
 
   const CycleGeometry& geometry_;
-  Vec2 at_;
+  Vec2 at_{};
   std::array<int, 3> axes_;
   std::vector<CycleMove> moves_;
 };

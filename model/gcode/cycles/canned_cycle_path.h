@@ -40,11 +40,9 @@ struct CycleGeometry {
   ArcPlane plane = ArcPlane::xy;
   Vec3 start_mm;
   bool lifts_first = false;  ///< to `r_mm` before it moves across
-  bool goes_across_as_it_stands =
-      false;       ///< at whatever level, and to `r_mm` then, as Fanuc and Haas
-  Vec2 hole_mm{};  ///< before the first step
-  Vec2 step_mm{};  ///< made before each hole
-  int holes = 1;
+  /// At whatever level, and to `r_mm` then, as Fanuc and Haas.
+  bool goes_across_as_it_stands = false;
+  std::vector<Vec2> holes_mm;  ///< one after the other
   double r_mm = 0, bottom_mm = 0;
   double return_mm = 0;          ///< where each hole ends
   bool feeds_to_r = false;       ///< out of a tap or a G89 to R only, as Fanuc and Haas

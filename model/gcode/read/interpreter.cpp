@@ -98,6 +98,7 @@ void Interpreter::carry_out_m(const Statement& statement) {
 }
 
 void Interpreter::carry_out_g(const Statement& statement, std::optional<int> motion) {
+  check_polar_plane(statement);
   set_plane(statement);
   set_units(statement);
   take_offset_numbers(statement, state_);
@@ -118,6 +119,13 @@ bool Interpreter::stop(const Statement& statement) {
   if (!code) return true;
   compensation_.flush();
   return *code != 2 && *code != 30;
+}
+
+/// LinuxCNC asks for the plane that was in effect before the block.
+void Interpreter::check_polar_plane(const Statement& statement) const {
+  if (statement.is_polar() && state_.modal.plane != ArcPlane::xy)
+    statement.fail(*statement.first_of({'@', '^'}), "polar coordinates outside G17",
+                   "G17 in a block before it");
 }
 
 void Interpreter::set_plane(const Statement& statement) {

@@ -62,6 +62,7 @@ class Interpreter {
   void set_speed(const Statement& statement);
   void turn_spindle(const Statement& statement);
   void set_coolant(const Statement& statement);
+  void check_polar_plane(const Statement& statement) const;
   void set_plane(const Statement& statement);
   void set_units(const Statement& statement);
   void set_late_modes(const Statement& statement);

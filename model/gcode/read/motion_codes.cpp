@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/gcode/cycles/polar_place.h"
 #include "model/gcode/machine/feed.h"
 #include "model/gcode/machine/machine_motion.h"
 #include "model/gcode/read/arc.h"
@@ -41,34 +42,14 @@ double axis_end(const Statement& statement, const Word& word, MachineState& stat
   return end_mm;
 }
 
-/// X and Y from a distance to the origin of the work frame (@) and an angle about it (^); one that
-/// is left out stays. In G91 both are added. LinuxCNC, "Polar Coordinates".
 void take_polar(const Statement& statement, MachineState& state, Vec3& end_mm) {
-  const Word *const distance = statement.word('@'), *const angle = statement.word('^');
-  const bool incremental = state.modal.incremental;
-  const Word& word = distance ? *distance : *angle;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (state.adrift[axis] && (incremental || !distance || !angle))
-      fail_adrift(statement, word, axis);
-  }
-  const bool at_origin = end_mm.x == 0 && end_mm.y == 0;
-  if (at_origin && (incremental || !angle))
-    statement.fail(word, "a polar coordinate from the origin, where no angle is", "@ and ^ in G90");
-  double radius_mm = std::hypot(end_mm.x, end_mm.y);
-  if (distance) radius_mm = length_of(statement, *distance, state) + (incremental ? radius_mm : 0);
-  double x = end_mm.x, y = end_mm.y;
-  if (angle && !incremental) {
-    const double radians = angle->value * std::numbers::pi / 180;
-    x = radius_mm * std::cos(radians), y = radius_mm * std::sin(radians);
-  } else {
-    const double radians =
-        std::atan2(end_mm.y, end_mm.x) + (angle ? angle->value * std::numbers::pi / 180 : 0);
-    x = radius_mm * std::cos(radians), y = radius_mm * std::sin(radians);
-  }
-  if (!(std::abs(x) <= kLargestCoordinateMm && std::abs(y) <= kLargestCoordinateMm))
-    statement.fail(word, "a position beyond any machine", "at most 1e9 mm");
+  const PolarPlace polar = polar_of(statement, state.modal.unit_mm, state.modal.incremental);
+  const Word& word = *statement.first_of({'@', '^'});
+  for (int axis = 0; axis < 2; ++axis)
+    if (state.adrift[axis] && !polar.is_stated()) fail_adrift(statement, word, axis);
+  const auto [x, y] = polar_end(statement, polar, {end_mm.x, end_mm.y});
   end_mm.x = x, end_mm.y = y;
-  if (!distance || !angle || incremental) return;
+  if (!polar.is_stated()) return;
   for (int axis = 0; axis < 2; ++axis) state.known[axis] = true, state.adrift[axis] = false;
 }
 

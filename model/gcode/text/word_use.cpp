@@ -213,16 +213,15 @@ void check_auxiliaries(const Statement& statement) {
 }
 
 /// LinuxCNC, "Polar Coordinates".
-void check_polar(const Statement& statement, std::optional<int> modal_motion) {
+void check_polar(const Statement& statement) {
   const Word& polar = *statement.first_of({'@', '^'});
   if (const Word* word = statement.first_of({'X', 'Y'}))
     statement.fail(*word, in_quotes(word->text) + " beside polar coordinates",
                    "@ and ^, or X and Y");
-  if (axes_are_taken(statement) || statement.g(GGroup::non_modal) == 530)
+  if (axes_are_taken(statement) || statement.g(GGroup::non_modal) == 530 ||
+      statement.g(GGroup::length_offset) == 431 || statement.g(GGroup::motion) == kCancelCycle)
     statement.fail(polar, "polar coordinates of a code that takes its axis words as they are",
                    "X and Y");
-  if (!statement.g(GGroup::motion) && modal_motion && is_canned_cycle(*modal_motion))
-    statement.fail(polar, "a polar word in a canned cycle", "X and Y");
 }
 
 std::optional<int> stated_motion(const Statement& statement, int code,
@@ -247,9 +246,7 @@ std::optional<int> stated_motion(const Statement& statement, int code,
     statement.fail(*statement.g_word(GGroup::length_offset),
                    "G43.1 and " + in_quotes(word.text) + " would both use axis words",
                    "one of them in a block of its own");
-  if (is_canned_cycle(code) && statement.is_polar())
-    statement.fail(axis_of(statement), "a polar word in a canned cycle", "X and Y");
-  if (is_canned_cycle(code) && !statement.has_axes())
+  if (is_canned_cycle(code) && !statement.has_axes() && !statement.is_polar())
     statement.fail(word, std::string(word.text) + " without an axis word", "X, Y or Z");
   return code;
 }
@@ -268,7 +265,7 @@ bool axes_are_taken(const Statement& statement) {
 
 std::optional<int> motion_of(const Statement& statement, std::optional<int> modal_motion,
                              std::optional<int> beside_cycles, bool by_vector) {
-  if (statement.is_polar()) check_polar(statement, modal_motion);
+  if (statement.is_polar()) check_polar(statement);
   const auto stated = statement.g(GGroup::motion);
   const bool leaves_straight = !stated || is_straight(*stated) || *stated == kCancelCycle;
   if (leaves_straight && is_rapid_in_machine_frame(statement)) return 0;

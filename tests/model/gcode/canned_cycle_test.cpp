@@ -48,6 +48,27 @@ TEST_CASE("G81 as in the examples of LinuxCNC's documentation", "[unit][program]
   }
 }
 
+TEST_CASE("polar words say where holes are", "[unit][program][cycle]") {
+  // Multiples of 3-4-5: places along a ray through the origin are exact but for the last bit.
+  CycleRun run = run_from({3, 4, 0});
+  run.context.incremental = true;
+  const CycleMotions row = run.block(81, "@5 Z-2 R1 L3");
+  REQUIRE(row.moves.size() == 10);
+  for (int hole = 0; hole < 3; ++hole) {
+    const Vec3 bottom_mm{6.0 + 3 * hole, 8.0 + 4 * hole, -1};
+    CHECK(distance(row.moves[2 + 3 * hole].to_mm, bottom_mm) < 1e-12);
+    CHECK_FALSE(row.moves[2 + 3 * hole].stated[0]);
+  }
+  run.context.incremental = false;
+  const CycleMotions one = run.block(81, "@10 ^90 Z-2 R1");
+  CHECK(distance(one.moves.back().to_mm, {0, 10, 1}) < 1e-12);
+  CHECK(one.moves.back().stated == std::array{true, true, true});
+  // The distance of where the tool stands.
+  const CycleMotions turned = run.block(81, "^180");
+  CHECK(distance(turned.moves.back().to_mm, {-10, 0, 1}) < 1e-12);
+  CHECK_FALSE(turned.moves.back().stated[1]);
+}
+
 TEST_CASE("G98 returns to where the run began, G99 to R", "[unit][program][cycle]") {
   CycleRun run = run_from({0, 0, 10}, false);
   run.block(81, "X1 Z-1 R2");

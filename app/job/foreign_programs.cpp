@@ -64,7 +64,6 @@ class GroupReader {
   bool leans_on_start() const;
   model::Vec3 start_of(const model::ProgramStart& start) const;
   model::ProgramStart start_told() const;
-  double start_shift_mm(std::size_t first) const;
   void stand_still(std::size_t index, model::Toolpath& path) const;
   void make_path(std::size_t index, model::PathOptions options, ForeignPath& foreign) const;
   void require_near(const model::Vec3& tip_mm, std::uint32_t line) const;
@@ -164,25 +163,6 @@ void GroupReader::place(const Surroundings& surroundings) {
   options_.around_mm = surroundings.around_mm;
 }
 
-/// A tool change moves nothing: the tip of a longer tool comes to stand lower. Without lengths each
-/// tool is taken to have been set to where the one before stood, and so is it while the height is
-/// that of an assumed start (MachineState::keeps_tip_at_change).
-double GroupReader::start_shift_mm(std::size_t first) const {
-  const auto length_of = [this](int number) -> std::optional<double> {
-    for (const model::ToolEntry& tool : job_.machine.tools)
-      if (tool.number == number) return tool.length_mm;
-    return std::nullopt;
-  };
-  const std::vector<model::ToolChange> changes = loadings(program_);
-  for (std::size_t i = 1; i < changes.size(); ++i) {
-    if (changes[i].motion != first) continue;
-    const auto before = length_of(changes[i - 1].tool), after = length_of(changes[i].tool);
-    const bool kept = !program_.motions[first - 1].height_known;
-    if (before && after && !kept) return *before - *after;
-  }
-  return 0;
-}
-
 void GroupReader::require_near(const model::Vec3& tip_mm, std::uint32_t line) const {
   if (model::is_near(tip_mm)) return;
   throw model::InputError({file_, static_cast<int>(line), 0},
@@ -230,7 +210,6 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
   model::PathOptions options = options_;
   options.chord_error_mm = settings_.chord_error_mm[group_[index]];
   options.first = ranges_[index].first, options.last = ranges_[index].last;
-  options.start_shift_z_mm = start_shift_mm(options.first);
   ForeignPath foreign;
   // Ends first: an arc to somewhere far away would have more chords than there is room for.
   for (std::size_t i = options.first; i < options.last && program_.frames.empty(); ++i)

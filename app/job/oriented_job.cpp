@@ -1,7 +1,6 @@
 #include "app/job/oriented_job.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -110,17 +109,14 @@ std::span<model::AxisTurn> first_turns(std::vector<Stretch>& ranges) {
   return std::span(first.turning).first(count);
 }
 
-bool is_turned(double angle_deg) {
-  return std::remainder(angle_deg, 360) != 0;
-}
-
-/// The first axis that stands turned at `left_deg` and that no word of the turns says where to
-/// turn; nothing where all are said. One that is said to turn to 0 is thought to be there already,
-/// and with the tip under control nobody knows where it is.
+/// The first axis that does not stand at 0 and that no word of the turns says where to turn;
+/// nothing where all are said. One that is said to turn to 0 is thought to be there already, be it
+/// by whole turns that it makes on the way, and with the tip under control nobody knows where it
+/// is.
 std::optional<char> unnamed_axis(const RotaryAngles& left_deg,
                                  std::span<const model::AxisTurn> turns) {
   for (std::size_t axis = 0; axis < left_deg.size(); ++axis)
-    if (is_turned(left_deg[axis]) && std::ranges::none_of(turns, [&](const model::AxisTurn& turn) {
+    if (left_deg[axis] != 0 && std::ranges::none_of(turns, [&](const model::AxisTurn& turn) {
           return turn.named[axis] && turn.turn.frame.control == model::TipControl::joints;
         }))
       return static_cast<char>('A' + axis);

@@ -69,6 +69,15 @@ struct ToolChange {
   int tool = 0;
 };
 
+/// Before motion `motion` another tool has come into the spindle, which stood still: its tip is at
+/// `at_mm`, not where the motion before ended.
+struct TipPlace {
+  std::size_t motion = 0;
+  std::uint32_t line = 0;
+  Vec3 at_mm;  ///< in the workpiece where rotary axes turn it, else in the machine's frame
+  RotaryAngles angles_deg{};  ///< at which they stand
+};
+
 /// From motion `motion` on the rotary axes stand at `angles_deg`, and the places that motions name
 /// lie in the workpiece as `frame` says.
 struct FrameChange {
@@ -103,6 +112,7 @@ struct Program {
   std::vector<Motion> motions;
   std::vector<IgnoredWord> ignored;
   std::vector<ToolChange> tool_changes;
+  std::vector<TipPlace> tip_places;      ///< by rising motion
   std::vector<ProgramComment> comments;  ///< of lines that hold nothing else
   std::vector<FrameChange> frames;  ///< of a machine with rotary axes, by rising motion; else none
   std::vector<AxisTurn> turns;      ///< by rising motion
@@ -124,6 +134,8 @@ struct Program {
 
   /// The turn that motion `motion` is; nothing where no axis turns.
   const AxisTurn* turn_of(std::size_t motion) const;
+  /// Where a tool change before motion `motion` has put the tip; nothing where none has.
+  const TipPlace* tip_place_of(std::size_t motion) const;
 };
 
 /// What is to be said of a program without an end.

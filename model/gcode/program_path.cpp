@@ -25,6 +25,8 @@ class PathMaker {
   void begin_behind(const Motion& motion);
   /// Where a turn of rotary axes has left the tool.
   void begin_behind(const AxisTurn& turn);
+  /// Where another tool's tip has come to stand.
+  void change_tool(const TipPlace& tip);
   /// The motions from here on lie as `frame` says.
   void enter(const FrameChange& frame);
   void begin_at(const Vec3& machine_mm);
@@ -70,6 +72,22 @@ void PathMaker::begin_behind(const AxisTurn& turn) {
   begin_at(turn.turn.to_mm);
   parked_ = turn.parked;
   if (parked_) path_.start = at_park_height(at_mm_);
+}
+
+/// What the change has put in is followed down or up to where it stands, which is on its way.
+void PathMaker::change_tool(const TipPlace& tip) {
+  if (!started_ || parked_) return;
+  const std::optional<Kinematics>& machine = options_.kinematics;
+  const Vec3 part_mm =
+      machine
+          ? (pose_of(options_.machine_in_part) * machine->upright(tip.angles_deg)).point(tip.at_mm)
+          : placed(tip.at_mm);
+  if (path_.moves.empty()) {
+    path_.start = part_mm;
+  } else {
+    add_move(at_change(tip), part_mm, true);
+  }
+  at_mm_ = pose_ ? pose_->point_back(part_mm) : tip.at_mm;
 }
 
 void PathMaker::turn_up(const RotaryAngles& angles_deg) {
@@ -198,6 +216,13 @@ const AxisTurn* turn_at(const Program& program, std::size_t motion) {
 
 }  // namespace
 
+Motion at_change(const TipPlace& tip) {
+  Motion motion;
+  motion.line = tip.line;
+  motion.spindle_stopped = true;
+  return motion;
+}
+
 Arc arc_of(const Motion& motion, const Vec3& start) {
   const auto [first, second, normal] = axes_of(motion.plane);
   const double x1 = start[first] - motion.centre1, y1 = start[second] - motion.centre2;
@@ -237,11 +262,10 @@ Toolpath tip_path(const Program& program, const PathOptions& options) {
     maker.begin_behind(*turn);
   } else if (first > 0) {
     if (options.kinematics) frames.go_to(first - 1, enter);
-    Motion before = program.motions[first - 1];
-    before.to.z += options.start_shift_z_mm;
-    maker.begin_behind(before);
+    maker.begin_behind(program.motions[first - 1]);
   }
   for (std::size_t i = first; i < last; ++i) {
+    if (const TipPlace* tip = program.tip_place_of(i)) maker.change_tool(*tip);
     if (options.kinematics) frames.go_to(i, enter);
     maker.add(program.motions[i]);
   }

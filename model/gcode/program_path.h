@@ -28,9 +28,6 @@ struct PathOptions {
   RigidPlacement machine_in_part = {};
   /// Height in the part's frame at which a parked tool is taken to stand; above everything.
   double park_z_mm = 0;
-  /// How much higher than the motion before `first` ended the tip stands at the start: another tool
-  /// may have come into the spindle.
-  double start_shift_z_mm = 0;
   /// Where the tip stands before the first motion of the program, machine frame. Empty for programs
   /// that this project wrote itself, whose first two rapids lead to where their path begins: the
   /// path then starts where every axis is known, or with the first motion that is no rapid.
@@ -67,6 +64,9 @@ struct SteadyRange {
 /// The ranges that [first, last) of `program` falls into, in order. The last one may hold no motion
 /// where the program ends with turns.
 std::vector<SteadyRange> steady_ranges(const Program& program, std::size_t first, std::size_t last);
+
+/// The rapid that stands in a path for a change of tools, within which nothing turns.
+Motion at_change(const TipPlace& tip);
 
 /// What the arc `motion` goes along from `start`, in the frame of the program. One that ends within
 /// 1e-6 radians beyond its start is a full turn.

@@ -80,6 +80,29 @@ Vec3 MachineState::in_workpiece() const {
       .point(place_mm);
 }
 
+Vec3 MachineState::tip_mm() const {
+  return orientation.machine ? in_workpiece() : frame.to_machine(position_mm);
+}
+
+void MachineState::keeping_tip(const std::function<void()>& change) {
+  const Frame before = frame;
+  const MotionFrame motions_before = motion_frame();
+  const Vec3 tip_before_mm = tip_mm();
+  change();
+  refresh();
+  stay_at(before);
+  if (orientation.machine && orientation.tool_centred && !(motion_frame() == motions_before))
+    stand_at(tip_before_mm, motions_before);
+}
+
+void MachineState::keeping_tool(const std::function<void()>& change) {
+  const Vec3 tip_before_mm = in_workpiece();
+  const MotionFrame before = motion_frame();
+  change();
+  refresh();
+  stand_at(tip_before_mm, before);
+}
+
 void MachineState::stand_at(const Vec3& tip_mm, const MotionFrame& before) {
   const Kinematics& machine = orientation.machine.value();
   const MotionFrame now = motion_frame();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "model/base/tolerance.h"
@@ -96,14 +97,9 @@ struct MachineState {
   Frame frame;                   ///< active; refresh() after a change of systems or tools
 
   void refresh();
-  /// Carries out a change of the frame that leaves the tool where it is.
-  template <typename Change>
-  void keeping_tip(const Change& change) {
-    const Frame before = frame;
-    change();
-    refresh();
-    stay_at(before);
-  }
+  /// Carries out a change of the frame or of a length in effect that leaves the tool where it is.
+  /// Under tip control a length acts along the tool, wherever it points.
+  void keeping_tip(const std::function<void()>& change);
   /// Whether a tool that is changed now comes to stand with its tip where that of the one before
   /// stood: before the first motion, since the start is the tip's, and at an assumed height.
   bool keeps_tip_at_change() const { return has_start && (!has_moved || !known[2]); }
@@ -113,18 +109,13 @@ struct MachineState {
   /// How the places of motions lie in the workpiece now. Motions' places are in the machine's
   /// frame, or in the tilted working plane.
   MotionFrame motion_frame() const;
+  /// The tip, in the workpiece where rotary axes turn it, else in the machine's frame.
+  Vec3 tip_mm() const;
   /// The tip in the workpiece. Only on a machine with rotary axes.
   Vec3 in_workpiece() const;
   /// Carries out a change of `orientation` that leaves the tool where it is. Where an axis is not
   /// known and becomes a mixture with others, none is.
-  template <typename Change>
-  void keeping_tool(const Change& change) {
-    const Vec3 tip_mm = in_workpiece();
-    const MotionFrame before = motion_frame();
-    change();
-    refresh();
-    stand_at(tip_mm, before);
-  }
+  void keeping_tool(const std::function<void()>& change);
   bool is_compensated() const { return modal.compensation != 400; }
   bool is_adrift() const { return adrift[0] || adrift[1] || adrift[2]; }
 

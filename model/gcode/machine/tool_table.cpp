@@ -8,6 +8,7 @@ ToolTable::ToolTable(const MachineSetup& machine) : loaded_(machine.loaded_tool)
   for (const ToolEntry& entry : machine.tools)
     tools_[entry.number] = {entry.length_mm, entry.diameter_mm, entry.length_mm, 0, 0};
   if (!loaded_ && machine.tools.size() == 1) loaded_ = machine.tools.front().number;
+  if (loaded_) load(*loaded_);
   if (machine.tools.empty() && machine.only_tool)
     only_diameter_mm_ = machine.only_tool->diameter_mm;
 }
@@ -15,6 +16,11 @@ ToolTable::ToolTable(const MachineSetup& machine) : loaded_(machine.loaded_tool)
 const ToolTable::Tool* ToolTable::find(int tool) const {
   const auto found = tools_.find(tool);
   return found == tools_.end() ? nullptr : &found->second;
+}
+
+void ToolTable::load(int tool) {
+  loaded_ = tool;
+  if (tool != 0) followed_ = tool;
 }
 
 std::optional<double> ToolTable::offset_of(int tool) const {
@@ -31,8 +37,11 @@ std::optional<double> ToolTable::diameter_of(int tool) const {
 
 std::optional<double> ToolTable::true_length() const {
   if (!loaded_) return unnamed_length_mm_;
-  if (*loaded_ == 0) return 0.0;
-  const Tool* const entry = find(*loaded_);
+  return followed_ ? length_of(*followed_) : 0.0;
+}
+
+std::optional<double> ToolTable::length_of(int tool) const {
+  const Tool* const entry = find(tool);
   return entry ? entry->true_length_mm : std::nullopt;
 }
 
@@ -55,7 +64,7 @@ void ToolTable::use_own_length() {
 bool ToolTable::use_offset(double offset_mm) {
   in_use_ = {false, loaded_, offset_mm};
   any_offset_used_ = true;
-  if (true_length()) return false;
+  if (true_length() || loaded_ == 0) return false;
   if (loaded_) {
     tools_[*loaded_].true_length_mm = offset_mm;
   } else {

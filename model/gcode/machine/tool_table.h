@@ -18,10 +18,12 @@ class ToolTable {
 
   /// The number of the tool in the spindle (0: it is empty), or nothing where none is stated.
   std::optional<int> loaded() const { return loaded_; }
-  void load(int tool) { loaded_ = tool; }  ///< M6, M61
+  void load(int tool);  ///< M6, M61
   std::optional<double> offset_of(int tool) const;
   std::optional<double> diameter_of(int tool) const;
-  std::optional<double> true_length() const;  ///< of the tool in the spindle
+  /// Of the tool in the spindle; of the one before while the spindle is empty, 0 where none was.
+  std::optional<double> true_length() const;
+  std::optional<double> length_of(int tool) const;  ///< true, stated or taken from its offset
   bool is_full() const { return tools_.size() >= kMostTools; }
   void set_offset(int tool, double length_mm) { tools_[tool].offset_mm = length_mm; }
   /// Wear adds to a length and to a diameter.
@@ -67,6 +69,7 @@ class ToolTable {
   std::map<int, Tool> tools_;
   std::optional<double> only_diameter_mm_;  ///< of whatever tool is loaded, where all are one
   std::optional<int> loaded_;
+  std::optional<int> followed_;              ///< the last one that was, but for 0
   std::optional<double> unnamed_length_mm_;  ///< of the tool in the spindle where none is named
   InUse in_use_;
   bool any_offset_used_ = false;

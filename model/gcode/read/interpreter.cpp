@@ -91,7 +91,7 @@ void Interpreter::finish() {
 
 void Interpreter::carry_out_m(const Statement& statement) {
   in_joints_if(statement.m_word(MGroup::tool_change) != nullptr,
-               [&] { change_tool(statement, state_, program_); });
+               [&] { change_tool(statement, state_, program_, assumed_); });
   turn_spindle(statement);
   saved_.carry_out(statement);
   set_coolant(statement);

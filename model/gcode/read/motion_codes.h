@@ -7,9 +7,9 @@
 
 namespace limitgauge::model::gcode {
 
-/// Of a block along an axis behind a change of the tool's length or the zero offset, which a control
-/// may add to the way: throws InputError where that is in G91 (ControlRules::length_moves_z,
-/// offsets_move_axes).
+/// Of a block along an axis behind a change of the tool's length or the zero offset, which a
+/// control may add to the way: throws InputError where that is in G91
+/// (ControlRules::length_moves_z, offsets_move_axes).
 void take_due_offsets(const Statement& statement, MachineState& state);
 
 /// Where the axis words lead, in the active work frame; marks the axes that become known by it.

@@ -83,6 +83,11 @@ const AxisTurn* Program::turn_of(std::size_t motion) const {
   return found != turns.end() && found->motion == motion ? &*found : nullptr;
 }
 
+const TipPlace* Program::tip_place_of(std::size_t motion) const {
+  const auto found = std::ranges::lower_bound(tip_places, motion, {}, &TipPlace::motion);
+  return found != tip_places.end() && found->motion == motion ? &*found : nullptr;
+}
+
 std::string missing_end_words(const Program& program) {
   return std::string("ends without M2, M30 or '%'") +
          (program.ends_in_line ? "" : ", and its last line without a line end") +

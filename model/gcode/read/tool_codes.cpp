@@ -173,7 +173,36 @@ void take_first_edge(MachineState& state, int tool) {
 
 }  // namespace
 
-void change_tool(const Statement& statement, MachineState& state, Program& program) {
+namespace {
+
+/// The spindle stands still: the tip of a longer tool comes to stand further down along it. One of
+/// a length that nothing states is taken to have been set to where the one before stood.
+void load_where_it_stands(const Statement& statement, int tool, MachineState& state,
+                          Program& program, Assumptions& assumed) {
+  const auto load = [&] { state.tools.load(tool); };
+  if (tool == 0 || !state.tools.length_of(tool)) return state.keeping_tip(load);
+  const bool is_known = state.tools.true_length().has_value();
+  const Vec3 before_mm = state.tip_mm();
+  load();
+  state.refresh();
+  const Vec3 after_mm = state.tip_mm();
+  if (!state.has_moved || state.adrift[2] || after_mm == before_mm) return;
+  if (!is_known)
+    assumed.add(statement.line(),
+                "the tool before T" + std::to_string(tool) +
+                    ", whose length nothing states, is taken to have had none: the tip of T" +
+                    std::to_string(tool) + " comes to stand as far below as that is long");
+  const TipPlace place{program.motions.size(), statement.line(), after_mm,
+                       state.orientation.angles_deg};
+  std::vector<TipPlace>& places = program.tip_places;
+  if (!places.empty() && places.back().motion == place.motion) places.pop_back();
+  places.push_back(place);
+}
+
+}  // namespace
+
+void change_tool(const Statement& statement, MachineState& state, Program& program,
+                 Assumptions& assumed) {
   const auto code = statement.m(MGroup::tool_change);
   if (!code) return;
   const Word& word = *statement.m_word(MGroup::tool_change);
@@ -194,8 +223,7 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
   if (state.keeps_tip_at_change()) {
     state.keeping_tip([&] { state.tools.load(*tool); });
   } else {
-    state.tools.load(*tool);
-    state.refresh();
+    load_where_it_stands(statement, *tool, state, program, assumed);
   }
   state.modal.without_edge = false;
   if (statement.rules().length_by_d) take_first_edge(state, *tool);

@@ -11,8 +11,9 @@ namespace limitgauge::model::gcode {
 std::string loaded_name(const MachineState& state);
 /// T: the tool that the next M6 brings.
 void select_tool(const Statement& statement, MachineState& state);
-/// M6 and M61: the tool's tip comes where the spindle is.
-void change_tool(const Statement& statement, MachineState& state, Program& program);
+/// M6 and M61: the tool's tip comes where the spindle is (Program::tip_places).
+void change_tool(const Statement& statement, MachineState& state, Program& program,
+                 Assumptions& assumed);
 /// H and D where they stay until the next.
 void take_offset_numbers(const Statement& statement, MachineState& state);
 /// G43, G43.1, G43.2, G49, and D where it is the length's. H0 means the tool in the spindle, as in

@@ -104,13 +104,25 @@ void TurningPathMaker::begin(std::size_t first) {
   } else if (first > 0) {
     path_.start = placed(at_mm_);
     enter_frame_of(first - 1);
-    at_mm_ = program_.motions[first - 1].to + Vec3{0, 0, options_.start_shift_z_mm};
+    at_mm_ = program_.motions[first - 1].to;
     parked_ = program_.motions[first - 1].parked;
   } else {
     stand({});
   }
   path_.start = parked_ ? parked_place(on_machine(at_mm_)) : placed(at_mm_);
   axes_.start = axis_;
+}
+
+/// Where another tool's tip has come to stand.
+void TurningPathMaker::change_tool(const TipPlace& tip) {
+  if (parked_) return;
+  const Vec3 part_mm = placed_.point(tip.at_mm);
+  if (path_.moves.empty()) {
+    path_.start = part_mm;
+  } else {
+    add_straight(at_change(tip), part_mm, true);
+  }
+  at_mm_ = frame_.point_back(tip.at_mm);
 }
 
 Vec3 TurningPathMaker::on_machine(const Vec3& named_mm) const {
@@ -259,6 +271,7 @@ TurningPath TurningPathMaker::make() {
   const std::size_t first = std::min(options_.first, last);
   begin(first);
   for (std::size_t i = first; i < last; ++i) {
+    if (const TipPlace* tip = program_.tip_place_of(i)) change_tool(*tip);
     enter_frame_of(i);
     const AxisTurn* turned = program_.turn_of(i);
     if (turned) {

@@ -22,6 +22,7 @@ class TurningPathMaker {
   };
 
   void begin(std::size_t first);
+  void change_tool(const TipPlace& tip);
   void enter_frame_of(std::size_t motion);
   void stand(const RotaryAngles& angles_deg);
   Vec3 here() const { return path_.moves.empty() ? path_.start : path_.moves.back().to; }

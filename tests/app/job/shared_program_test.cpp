@@ -155,7 +155,13 @@ TEST_CASE("a program that ends with an axis turned is followed by none that says
   REQUIRE(turns.size() == 1);
   CHECK(turns[0].turn.from_deg == model::RotaryAngles{0, 0, 180});
   CHECK(turns[0].turn.to_deg == model::RotaryAngles{0, 0, 90});
-  CHECK(after("whole.nc", "plain.nc").empty());
+  // Whole turns too: a C0 or a C90 that comes next unwinds them.
+  CHECK_THAT(after("whole.nc", "plain.nc"), Catch::Contains("begins as if it stood at 0"));
+  CHECK_THAT(after("whole.nc", "late.nc"), Catch::Contains("begins as if it stood at 0"));
+  CHECK(after("whole.nc", "other.nc").empty());
+  const Job unwound =
+      folder.job(shared_stage("one", "whole.nc", "") + shared_stage("two", "other.nc", ""));
+  CHECK(unwound.stages.back().piece->range.turns.at(0).turn.from_deg[2] == 360);
   CHECK(after("plain.nc", "left.nc").empty());
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "model/base/tolerance.h"
 #include "model/gcode/machine/coordinate_systems.h"
@@ -53,9 +54,12 @@ struct ModalState {
 struct Spindle {
   std::optional<bool> on;  ///< empty: no word of it yet
   bool clockwise = true;
-  std::optional<double> rpm;       ///< the S word in force
-  bool constant_surface = false;   ///< G96
-  std::uint32_t changed_line = 0;  ///< of the M6 that stopped it; 0: none did
+  std::optional<double> rpm;      ///< the S word in force
+  bool constant_surface = false;  ///< G96
+  /// That stopped it, and was no word of the spindle: "the M6 of line 7".
+  std::optional<std::string> stopped_by;
+  /// At which a machine may have stopped it since it was last started: "the M1 of line 7".
+  std::optional<std::string> paused_by;
 };
 
 struct Coolant {

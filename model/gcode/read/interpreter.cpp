@@ -118,6 +118,7 @@ bool Interpreter::stop(const Statement& statement) {
   const auto code = statement.m(MGroup::stopping);
   if (!code) return true;
   compensation_.flush();
+  if (*code == 0 || *code == 1) pause_spindle(statement, *code);
   return *code != 2 && *code != 30;
 }
 

@@ -61,6 +61,7 @@ class Interpreter {
   void set_spindle_mode(const Statement& statement);
   void set_speed(const Statement& statement);
   void turn_spindle(const Statement& statement);
+  void pause_spindle(const Statement& statement, int code);
   void set_coolant(const Statement& statement);
   void check_polar_plane(const Statement& statement) const;
   void set_plane(const Statement& statement);

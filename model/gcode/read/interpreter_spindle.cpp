@@ -36,19 +36,36 @@ void Interpreter::set_speed(const Statement& statement) {
 void Interpreter::turn_spindle(const Statement& statement) {
   Spindle& spindle = state_.spindle;
   if (statement.m(MGroup::tool_change) == 6 && spindle.on) {
-    if (*spindle.on) spindle.changed_line = statement.line();
+    if (*spindle.on) spindle.stopped_by = "the M6 of line " + std::to_string(statement.line());
     spindle.on = false;
   }
   const auto code = statement.m(MGroup::spindle);
   if (!code) return;
   if (!spindle.on) motions_before_spindle_ = motions_so_far();
   spindle.on = *code == 3 || *code == 4;
-  spindle.changed_line = 0;
+  spindle.stopped_by.reset(), spindle.paused_by.reset();
   spindle.clockwise = *code == 3;
   if (!*spindle.on || program_.starts_spindle) return;
   program_.starts_spindle = true;
   const std::size_t out = std::min(motions_before_spindle_, program_.motions.size());
   for (std::size_t i = 0; i < out; ++i) program_.motions[i].spindle_stopped = true;
+}
+
+/// M0 and M1. LinuxCNC and Grbl leave the spindle alone; Haas's M0 stops it (96-8000, M00), and M1
+/// where the operator has it so; of others the machine's builder decides.
+void Interpreter::pause_spindle(const Statement& statement, int code) {
+  Spindle& spindle = state_.spindle;
+  const Control control = statement.rules().control;
+  if (control == Control::linuxcnc || control == Control::grbl || !spindle.on.value_or(false))
+    return;
+  const std::string by =
+      "the M" + std::to_string(code) + " of line " + std::to_string(statement.line());
+  if (control == Control::haas && code == 0) {
+    spindle.on = false;
+    spindle.stopped_by = by;
+  } else {
+    spindle.paused_by = by;
+  }
 }
 
 void Interpreter::set_coolant(const Statement& statement) {
@@ -69,11 +86,14 @@ SpindleState Interpreter::spindle_state() const {
 void Interpreter::note_spindle(const Motion& motion) {
   const Spindle& spindle = state_.spindle;
   if (motion.spindle_stopped) {
-    if (spindle.changed_line != 0)
-      assumed_.add(motion.line, "feeds with the spindle at rest: the M6 of line " +
-                                    std::to_string(spindle.changed_line) + " has stopped it");
+    if (spindle.stopped_by)
+      assumed_.add(motion.line,
+                   "feeds with the spindle at rest: " + *spindle.stopped_by + " has stopped it");
     return;
   }
+  if (const auto paused_by = std::exchange(state_.spindle.paused_by, std::nullopt))
+    assumed_.add(motion.line, "the spindle is taken to turn behind " + *paused_by +
+                                  ", at which a machine may stop it");
   if (!spindle.on.value_or(false)) return;
   if (!spindle.rpm && !std::exchange(lack_of_speed_is_told_, true))
     assumed_.add(motion.line, "the spindle is taken to turn: nothing before says how fast (S)");

@@ -352,14 +352,6 @@ TEST_CASE("text in other encodings", "[unit][program]") {
   CHECK(as_program_text("\r", "a").empty());
 }
 
-TEST_CASE("the M6 that stopped the spindle is named", "[unit][program]") {
-  const std::string start = "G21 G90\nT1 M6\nM3 S900\nG0 X0 Y0 Z0\nG1 X1 F90\n";
-  CHECK(assumes(read_text(start + "T2 M6\nG0 X2\nG1 X3\n"),
-                "line 8: feeds with the spindle at rest: the M6 of line 6 has stopped it"));
-  CHECK(!assumes(read_text(start + "T2 M6\nM3\nG1 X3\n"), "spindle at rest"));
-  CHECK(!assumes(read_text(start + "M5\nT2 M6\nG1 X3\n"), "spindle at rest"));
-}
-
 TEST_CASE("what variables and expressions give is rounded to the least increment on Fanuc and Haas",
           "[unit][program]") {
   const auto end = [](const std::string& text, Control control) {

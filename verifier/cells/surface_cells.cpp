@@ -28,14 +28,28 @@ SurfaceCell part(const SurfaceCell& cell, const Bezier& shape, bool in_u, int ha
   return out;
 }
 
-void split_until(const SurfaceCell& cell, double radius_mm, std::vector<SurfaceCell>& out) {
-  if (control_radius(cell.shape, middle(cell.shape)) <= radius_mm) {
+/// Where splitting ends: cells whose control points lie within `radius_mm` of their middle, or that
+/// are smaller than `area_mm2`.
+struct FirstCells {
+  double radius_mm = 0, area_mm2 = 0;
+
+  bool ends_at(const SurfaceCell& cell) const {
+    if (control_radius(cell.shape, middle(cell.shape)) <= radius_mm) return true;
+    return area_mm2 > 0 && corner_area_mm2(cell.shape) <= area_mm2;
+  }
+  static double corner_area_mm2(const Bezier& b) {
+    return length(cross(b.control(15) - b.control(0), b.control(12) - b.control(3))) / 2;
+  }
+};
+
+void split_until(const SurfaceCell& cell, const FirstCells& first, std::vector<SurfaceCell>& out) {
+  if (first.ends_at(cell)) {
     out.push_back(cell);
     return;
   }
   for (const SurfaceCell& half :
        extent_u(cell.shape) >= extent_v(cell.shape) ? split_u(cell) : split_v(cell))
-    split_until(half, radius_mm, out);
+    split_until(half, first, out);
 }
 
 /// The normal of the piece of its patch that lies nearest to a speck, but beyond the pieces that
@@ -87,6 +101,9 @@ double first_cell_radius_mm(const SurfaceTree& tree) {
 
 SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
     : ridges_(ridge_cells(tree, radius_mm)), feet_(tree), features_(tree.features()) {
+  // A facet that is long and thin has both its parameters along its length: as small as others, its
+  // cells would be as many as the square of how many times they go into that.
+  const FirstCells first{radius_mm, tree.is_faceted() ? radius_mm * radius_mm : 0};
   for (const Speck& s : tree.specks()) {
     SurfaceCell cell{{}, s.square.patch, s.square.u, s.square.v, s.square.size, s.square.size};
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
@@ -104,7 +121,7 @@ SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
       for (std::size_t i = 0; i < specks.size(); ++i)
         if (control_radius(piece.shape, specks[i].position) <= kVertexNormal_mm)
           cell.vertex_normal = cells_[first_speck + i].vertex_normal;
-      split_until(cell, radius_mm, cells_);
+      split_until(cell, first, cells_);
     }
     first_speck += specks.size();
   }

@@ -53,7 +53,8 @@ double first_cell_radius_mm(const SurfaceTree& tree);
 /// changes by at most a millimetre a millimetre is wrong there by at most kOmitted_mm.
 class SurfaceCells {
  public:
-  /// Cells are split until their control points lie within `radius_mm` of their middle.
+  /// Cells are split until their control points lie within `radius_mm` of their middle, those of
+  /// facets also where their area is no more than its square.
   SurfaceCells(const SurfaceTree& tree, double radius_mm);
 
   /// The same cells, one by one, as another frame has them, for what is asked of cells and their

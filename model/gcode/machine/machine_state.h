@@ -100,9 +100,12 @@ struct MachineState {
   std::array<bool, 3> adrift{};  ///< at a place that nothing states (Motion::parked, astray)
   Frame frame;                   ///< active; refresh() after a change of systems or tools
 
+  /// Where another tool's tip has come to stand since the last motion.
+  std::optional<TipPlace> moved_tip;
+
   void refresh();
   /// Carries out a change of the frame or of a length in effect that leaves the tool where it is.
-  /// Under tip control a length acts along the tool, wherever it points.
+  /// Under tip control, and of a tool in a head, a length acts along the tool, wherever it points.
   void keeping_tip(const std::function<void()>& change);
   /// Whether a tool that is changed now comes to stand with its tip where that of the one before
   /// stood: before the first motion, since the start is the tip's, and at an assumed height.
@@ -115,6 +118,10 @@ struct MachineState {
   MotionFrame motion_frame() const;
   /// The tip, in the workpiece where rotary axes turn it, else in the machine's frame.
   Vec3 tip_mm() const;
+  /// The tip is at that place, as tip_mm() has it, whatever offsets are in effect.
+  void put_tip(const Vec3& at_mm);
+  /// Another tool's tip, further down along the tool by that much. Not while Z is adrift.
+  void lower_tip(std::uint32_t line, double by_mm);
   /// The tip in the workpiece. Only on a machine with rotary axes.
   Vec3 in_workpiece() const;
   /// Carries out a change of `orientation` that leaves the tool where it is. Where an axis is not

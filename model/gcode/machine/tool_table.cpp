@@ -20,7 +20,8 @@ const ToolTable::Tool* ToolTable::find(int tool) const {
 
 void ToolTable::load(int tool) {
   loaded_ = tool;
-  if (tool != 0) followed_ = tool;
+  if (tool == 0) return;
+  if (const auto known = length_of(tool)) reach_mm_ = known;
 }
 
 std::optional<double> ToolTable::offset_of(int tool) const {
@@ -37,7 +38,7 @@ std::optional<double> ToolTable::diameter_of(int tool) const {
 
 std::optional<double> ToolTable::true_length() const {
   if (!loaded_) return unnamed_length_mm_;
-  return followed_ ? length_of(*followed_) : 0.0;
+  return *loaded_ == 0 ? reach_mm_.value_or(0) : length_of(*loaded_);
 }
 
 std::optional<double> ToolTable::length_of(int tool) const {
@@ -64,12 +65,13 @@ void ToolTable::use_own_length() {
 bool ToolTable::use_offset(double offset_mm) {
   in_use_ = {false, loaded_, offset_mm};
   any_offset_used_ = true;
-  if (true_length() || loaded_ == 0) return false;
+  if (true_length()) return false;
   if (loaded_) {
     tools_[*loaded_].true_length_mm = offset_mm;
   } else {
     unnamed_length_mm_ = offset_mm;
   }
+  reach_mm_ = offset_mm;
   return true;
 }
 

@@ -21,8 +21,11 @@ class ToolTable {
   void load(int tool);  ///< M6, M61
   std::optional<double> offset_of(int tool) const;
   std::optional<double> diameter_of(int tool) const;
-  /// Of the tool in the spindle; of the one before while the spindle is empty, 0 where none was.
+  /// Of the tool in the spindle; what reach() says, or 0, where it is empty.
   std::optional<double> true_length() const;
+  /// Where its tip is taken to be below the spindle: by the true length of the tool in it or, where
+  /// that is not known or the spindle is empty, of the last one before whose is.
+  std::optional<double> reach() const { return reach_mm_; }
   std::optional<double> length_of(int tool) const;  ///< true, stated or taken from its offset
   bool is_full() const { return tools_.size() >= kMostTools; }
   void set_offset(int tool, double length_mm) { tools_[tool].offset_mm = length_mm; }
@@ -69,7 +72,7 @@ class ToolTable {
   std::map<int, Tool> tools_;
   std::optional<double> only_diameter_mm_;  ///< of whatever tool is loaded, where all are one
   std::optional<int> loaded_;
-  std::optional<int> followed_;              ///< the last one that was, but for 0
+  std::optional<double> reach_mm_;
   std::optional<double> unnamed_length_mm_;  ///< of the tool in the spindle where none is named
   InUse in_use_;
   bool any_offset_used_ = false;

@@ -361,6 +361,10 @@ void Interpreter::put(Motion& motion) {
   // Waited for the compensation while the program's first M3 or M4 came.
   if (program_.starts_spindle && program_.motions.size() < motions_before_spindle_)
     motion.spindle_stopped = true;
+  if (state_.moved_tip) {
+    state_.moved_tip->motion = program_.motions.size();
+    program_.tip_places.push_back(*std::exchange(state_.moved_tip, std::nullopt));
+  }
   program_.motions.push_back(motion);
 }
 

@@ -32,10 +32,14 @@ void use_stated(const Statement& statement, MachineState& state, double offset_m
   if (state.tools.is_full() && !state.tools.true_length())
     statement.fail(statement.blamed(), "more than 1000 tools", "LinuxCNC's limit");
   bool taken = false;
+  const auto reach_mm = state.tools.reach();
   state.keeping_tip([&] { taken = state.tools.use_offset(offset_mm); });
-  if (taken)
-    assumed.add(statement.line(), loaded_name(state) + " is taken to be as long as its offset, " +
-                                      shortest(offset_mm) + " mm");
+  if (!taken) return;
+  assumed.add(statement.line(), loaded_name(state) + " is taken to be as long as its offset, " +
+                                    shortest(offset_mm) + " mm");
+  // It was followed as if it were as long as the one before.
+  if (reach_mm && !state.keeps_tip_at_change())
+    state.lower_tip(statement.line(), offset_mm - *reach_mm);
 }
 
 void use_own(const Statement& statement, MachineState& state, Assumptions& assumed) {
@@ -178,25 +182,17 @@ namespace {
 /// The spindle stands still: the tip of a longer tool comes to stand further down along it. One of
 /// a length that nothing states is taken to have been set to where the one before stood.
 void load_where_it_stands(const Statement& statement, int tool, MachineState& state,
-                          Program& program, Assumptions& assumed) {
-  const auto load = [&] { state.tools.load(tool); };
-  if (tool == 0 || !state.tools.length_of(tool)) return state.keeping_tip(load);
-  const bool is_known = state.tools.true_length().has_value();
-  const Vec3 before_mm = state.tip_mm();
-  load();
-  state.refresh();
-  const Vec3 after_mm = state.tip_mm();
-  if (!state.has_moved || state.adrift[2] || after_mm == before_mm) return;
-  if (!is_known)
+                          Assumptions& assumed) {
+  const auto before_mm = state.tools.reach();
+  state.keeping_tip([&] { state.tools.load(tool); });
+  const auto after_mm = state.tools.reach();
+  if (!after_mm || after_mm == before_mm) return;
+  state.lower_tip(statement.line(), *after_mm - before_mm.value_or(0));
+  if (!before_mm && state.moved_tip)
     assumed.add(statement.line(),
                 "the tool before T" + std::to_string(tool) +
                     ", whose length nothing states, is taken to have had none: the tip of T" +
                     std::to_string(tool) + " comes to stand as far below as that is long");
-  const TipPlace place{program.motions.size(), statement.line(), after_mm,
-                       state.orientation.angles_deg};
-  std::vector<TipPlace>& places = program.tip_places;
-  if (!places.empty() && places.back().motion == place.motion) places.pop_back();
-  places.push_back(place);
 }
 
 }  // namespace
@@ -223,7 +219,7 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
   if (state.keeps_tip_at_change()) {
     state.keeping_tip([&] { state.tools.load(*tool); });
   } else {
-    load_where_it_stands(statement, *tool, state, program, assumed);
+    load_where_it_stands(statement, *tool, state, assumed);
   }
   state.modal.without_edge = false;
   if (statement.rules().length_by_d) take_first_edge(state, *tool);

@@ -102,6 +102,54 @@ TEST_CASE("a tool of a length that nothing states begins where the one before en
   CHECK(program.motions[2].to == Vec3{5, 0, -230});
 }
 
+TEST_CASE("a length that only the program says is held against that of the tool before",
+          "[unit][gcode]") {
+  MachineSetup machine = three_axes();
+  machine.tools.clear();
+  for (const bool in_block : {true, false}) {
+    const auto offset = [&](const std::string& tool, const std::string& length) {
+      if (in_block) return "G43.1 Z" + length + "\n";
+      return "G10 L1 P" + tool + " Z" + length + "\nG43 H" + tool + "\n";
+    };
+    const Program program =
+        read_text("T1 M6\n" + offset("1", "80") + "G0 X0 Y0 Z50\nT2 M6\n" + offset("2", "100") +
+                      "G0 X10\nT1 M6\n" + offset("1", "80") + "G0 X100\n",
+                  machine);
+    CHECK(program.motions[0].to.z == -150);
+    CHECK(program.motions[1].to.z == -170);
+    CHECK(program.motions[2].to.z == -150);
+    REQUIRE(program.tip_places.size() == 2);
+    CHECK(program.tip_places[0].at_mm == Vec3{0, 0, -170});
+    CHECK(program.tip_places[1].at_mm == Vec3{10, 0, -150});
+  }
+}
+
+TEST_CASE("a tool that no number names, an empty spindle, and a tool of a stated length",
+          "[unit][gcode]") {
+  const MachineSetup machine = three_axes();
+  const Program program =
+      read_text("G43.1 Z80\nG0 X0 Y0 Z50\nT0 M6\nG0 X5\nG0 Z50\nT2 M6\nG43 H2\nG0 X100\n", machine);
+  CHECK(program.motions[1].to.z == -150);
+  CHECK(program.motions[2].to.z == -150);
+  CHECK(program.motions[3].to.z == -170);
+}
+
+TEST_CASE("a tool of no known length before one of a stated length is taken to have none",
+          "[unit][gcode]") {
+  const MachineSetup machine = three_axes();
+  const std::string begin = "T9 M6\nG43\nG0 X0 Y0 Z50\n";
+  for (const std::string offset : {"", "G43\n"}) {
+    const Program program = read_text(begin + "T2 M6\n" + offset + "G0 X100\n", machine);
+    CHECK(program.motions[1].to.z == -250);
+    CHECK(assumes(program, "line 4: the tool before T2, whose length nothing states"));
+  }
+  // Between two whose lengths are known it is as long as the first.
+  const Program between =
+      read_text("T1 M6\nG43\nG0 X0 Y0 Z50\nT9 M6\nG43\nG0 X9\nT2 M6\nG43\nG0 X7\n", machine);
+  CHECK(between.motions[1].to.z == -150);
+  CHECK(between.motions[2].to.z == -170);
+}
+
 TEST_CASE("another tool's tip on machines that turn it, whatever the control keeps",
           "[unit][gcode]") {
   for (const MachineSetup& machine :
@@ -114,6 +162,28 @@ TEST_CASE("another tool's tip on machines that turn it, whatever the control kee
     for (const std::string turn : {"G0 B90\n", "G0 B-35 C70\n"})
       for (const std::string move : {"", "G0 Y12\n"})
         check_change(kApproach + turn + move, machine);
+}
+
+TEST_CASE("another tool's tip in a head that lies along X", "[unit][gcode]") {
+  // B at 90: the spindle's end stands at (100, 0, 130), the tools point from there towards -X.
+  MachineSetup machine = three_axes();
+  machine.control = Control::fanuc;
+  machine.work_offsets[0] = WorkOffset{};
+  machine.kinematics =
+      Kinematics{MachineKind::head_head, {{'B', {0, 1, 0}, {}, -120, 120}, {'C', {0, 0, 1}, {}}}};
+  const std::string begin =
+      "G21 G90 G94 G17 G40\nT1 M6\nG43 H1\nG0 X100. Y0. Z50.\nB90.\nY-1.\nY0.\n";
+  const Program program = read_text(begin + "T2 M6\nG0 Y100.\n", machine);
+  REQUIRE(program.tip_places.size() == 1);
+  CHECK(distance(program.tip_places[0].at_mm, {0, 0, 130}) < kSame_mm);
+  PathOptions options;
+  options.kinematics = machine.kinematics;
+  options.start_mm = Vec3{0, 0, 100};
+  options.reach_mm = 40;
+  options.first = program.tip_places[0].motion;
+  const TurningPath made = to_turning_path(program, options);
+  CHECK(distance(made.path.start, {0, 0, 130}) < kSame_mm);
+  CHECK(distance(made.path.moves.back().to, {0, 100, 130}) < kSame_mm);
 }
 
 TEST_CASE("another tool's tip under tip control", "[unit][gcode]") {

@@ -85,12 +85,25 @@ export function noContext() {
   };
 }
 
+/**
+ * In the page: until what was asked for so far is on the screen. A browser on a machine that does three things at once
+ * may forget a frame that was asked for, and a test would wait for it until its end: it is asked for again then.
+ */
+export async function twoFrames() {
+  const patience_ms = 5_000;
+  for (let i = 0; i < 2; ++i) {
+    await new Promise((seen) => {
+      requestAnimationFrame(seen);
+      setTimeout(() => requestAnimationFrame(seen), patience_ms);
+      setTimeout(seen, 2 * patience_ms);
+    });
+  }
+}
+
 /** Until the script says that all of it stands, and what it drew is on the screen. */
 export async function whenReady(page) {
-  await page.evaluate(async () => {
-    await window.limitgauge?.ready;
-    for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
-  });
+  await page.evaluate(() => window.limitgauge?.ready);
+  await page.evaluate(twoFrames);
 }
 
 /**
@@ -99,12 +112,13 @@ export async function whenReady(page) {
  * it took a third of a test's time.
  */
 export async function seeFigures(page) {
-  await page.evaluate(async () => {
+  await page.evaluate(`(async () => {
+    ${twoFrames}
     for (const figure of document.querySelectorAll('figure, .chart-plot')) {
       const { top, bottom, height } = figure.getBoundingClientRect();
       if (height > 0 && top >= 0 && bottom <= innerHeight) continue;
       figure.scrollIntoView({ block: 'center', behavior: 'instant' });
-      for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+      await twoFrames();
     }
-  });
+  })()`);
 }

@@ -1,3 +1,5 @@
+import { twoFrames } from './browser.mjs';
+
 /** The view's own account of itself, and the ways in which a reader acts on it. Points in mm. */
 
 export const part = (page, id) => page.locator(`[data-testid="${id}"]`);
@@ -5,10 +7,10 @@ export const part = (page, id) => page.locator(`[data-testid="${id}"]`);
 export const stateOf = (page) => page.evaluate(() => window.limitgauge.view.state());
 
 /** Until the camera rests, and what it sees and what was said of it is drawn. */
-export const settle = (page) => page.evaluate(async () => {
-  for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
-  await window.limitgauge.view.settled();
-});
+export async function settle(page) {
+  await page.evaluate(twoFrames);
+  await page.evaluate(() => window.limitgauge.view.settled());
+}
 
 export async function showStage(page, index) {
   await page.locator(`[data-testid="view-stages"] [role=tab][data-stage="${index}"]`).click();

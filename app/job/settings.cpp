@@ -231,8 +231,7 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
       frame_words(job),
       machining_time_words(job),
       "tool changes move nothing: the spindle stands still, and a tool of no known length starts "
-      "where "
-      "the tip of the one before stood",
+      "where the tip of the one before stood",
       "collisions: contacts shallower than " +
           model::shortest(1e3 * settings.contact_tolerance_mm) + " µm" +
           (job.contact_tolerance_mm ? "" : " (not stated)") +

@@ -67,22 +67,20 @@ struct PlaceWords {
   const Statement& statement;
   const CycleContext& context;
   std::array<int, 2> axes;
+  std::optional<PolarPlace> polar;
 
   bool is_stated(int i) const {
-    if (statement.is_polar()) return polar().is_stated();
+    if (polar) return polar->is_stated();
     return statement.word(kAxes[axes[i]]) && !context.incremental;
   }
   /// The next hole, from the one before.
   Vec2 from(Vec2 at_mm) const {
-    if (statement.is_polar()) return polar_end(statement, polar(), at_mm);
+    if (polar) return polar_end(statement, *polar, at_mm);
     for (int i = 0; i < 2; ++i)
       if (const Word* const word = statement.word(kAxes[axes[i]]))
         at_mm[i] = word->value * context.unit_mm + (context.incremental ? at_mm[i] : 0);
     return at_mm;
   }
-
- private:
-  PolarPlace polar() const { return polar_of(statement, context.unit_mm, context.incremental); }
 };
 
 void check_count(const Statement& statement, const CycleGeometry& cycle) {
@@ -159,7 +157,8 @@ CycleGeometry CannedCycles::geometry(const Statement& statement,
 void CannedCycles::add_places(const Statement& statement, const CycleContext& context,
                               CycleGeometry& cycle) const {
   const auto [first, second, along] = axes_of(context.plane);
-  const PlaceWords words{statement, context, {first, second}};
+  PlaceWords words{statement, context, {first, second}, {}};
+  if (statement.is_polar()) words.polar = polar_of(statement, context.unit_mm, context.incremental);
   Vec2 at_mm = {context.position_mm[first], context.position_mm[second]};
   for (int hole = holes_of(statement, static_cast<int>(kMostMoves)); hole > 0; --hole)
     cycle.holes_mm.push_back(at_mm = words.from(at_mm));

@@ -84,19 +84,14 @@ Vec3 MachineState::tip_mm() const {
   return orientation.machine ? in_workpiece() : frame.to_machine(position_mm);
 }
 
-void MachineState::put_tip(const Vec3& at_mm) {
-  constexpr double kSame_mm = 1e-9;  // a thousand times the rounding of a place
-  if (distance(tip_mm(), at_mm) <= kSame_mm) return;
-  if (orientation.machine) return stand_at(at_mm, motion_frame());
-  position_mm = frame.to_work(at_mm);
-}
-
 void MachineState::lower_tip(std::uint32_t line, double by_mm) {
-  if (by_mm == 0 || adrift[2]) return;
-  const Vec3 up = orientation.machine
-                      ? orientation.machine->stand({}, orientation.angles_deg, 0).axis
-                      : Vec3{0, 0, 1};
-  put_tip(tip_mm() - up * by_mm);
+  if (by_mm == 0 || adrift[2] || keeps_tip_at_change()) return;
+  if (orientation.machine) {
+    const Vec3 up = orientation.machine->stand({}, orientation.angles_deg, 0).axis;
+    stand_at(tip_mm() - up * by_mm, motion_frame());
+  } else {
+    position_mm = frame.to_work(frame.to_machine(position_mm) - Vec3{0, 0, by_mm});
+  }
   if (has_moved) moved_tip = TipPlace{0, line, tip_mm(), orientation.angles_deg};
 }
 

@@ -118,9 +118,8 @@ struct MachineState {
   MotionFrame motion_frame() const;
   /// The tip, in the workpiece where rotary axes turn it, else in the machine's frame.
   Vec3 tip_mm() const;
-  /// The tip is at that place, as tip_mm() has it, whatever offsets are in effect.
-  void put_tip(const Vec3& at_mm);
-  /// Another tool's tip, further down along the tool by that much. Not while Z is adrift.
+  /// Another tool's tip stands further down along the tool by that much, whatever offsets are in
+  /// effect; not while Z is adrift, nor where a change keeps the tip.
   void lower_tip(std::uint32_t line, double by_mm);
   /// The tip in the workpiece. Only on a machine with rotary axes.
   Vec3 in_workpiece() const;

@@ -38,8 +38,7 @@ void use_stated(const Statement& statement, MachineState& state, double offset_m
   assumed.add(statement.line(), loaded_name(state) + " is taken to be as long as its offset, " +
                                     shortest(offset_mm) + " mm");
   // It was followed as if it were as long as the one before.
-  if (reach_mm && !state.keeps_tip_at_change())
-    state.lower_tip(statement.line(), offset_mm - *reach_mm);
+  if (reach_mm) state.lower_tip(statement.line(), offset_mm - *reach_mm);
 }
 
 void use_own(const Statement& statement, MachineState& state, Assumptions& assumed) {
@@ -175,10 +174,6 @@ void take_first_edge(MachineState& state, int tool) {
   state.modal.edge_is_taken = state.modal.is_due[2] = true;
 }
 
-}  // namespace
-
-namespace {
-
 /// The spindle stands still: the tip of a longer tool comes to stand further down along it. One of
 /// a length that nothing states is taken to have been set to where the one before stood.
 void load_where_it_stands(const Statement& statement, int tool, MachineState& state,
@@ -216,11 +211,7 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
     statement.fail(word, "more than a million tool changes", "fewer");
   if (state.tools.loaded() != tool)
     program.tool_changes.push_back({statement.line(), program.motions.size(), *tool});
-  if (state.keeps_tip_at_change()) {
-    state.keeping_tip([&] { state.tools.load(*tool); });
-  } else {
-    load_where_it_stands(statement, *tool, state, assumed);
-  }
+  load_where_it_stands(statement, *tool, state, assumed);
   state.modal.without_edge = false;
   if (statement.rules().length_by_d) take_first_edge(state, *tool);
 }

@@ -19,15 +19,18 @@ std::string id(char letter, std::size_t index) {
 
 /// The normal of the measured sample nearest to a place; null where its patch was not sampled.
 Json normal_near(const verifier::DeviationField& field, const verifier::SurfacePlace& place) {
-  const auto on_patch = [&](const auto& grid) { return grid.patch == place.patch; };
-  const auto grid = std::find_if(field.grids.begin(), field.grids.end(), on_patch);
-  if (grid == field.grids.end()) return nullptr;
-  const auto nearest = [](double t, std::uint32_t count) {
-    return static_cast<std::size_t>(std::lround(std::clamp(t, 0.0, 1.0) * (count - 1)));
+  const auto has_place = [&](const verifier::DeviationField::Grid& grid) {
+    return grid.patch <= place.patch && place.patch < grid.patch + grid.patches;
   };
-  const std::size_t k =
-      grid->first + nearest(place.v, grid->rows) * grid->columns + nearest(place.u, grid->columns);
-  return point_json(field.samples[k].normal);
+  const auto grid = std::find_if(field.grids.begin(), field.grids.end(), has_place);
+  if (grid == field.grids.end()) return nullptr;
+  const auto first = field.samples.begin() + grid->first;
+  const auto nearer = [&](const auto& a, const auto& b) {
+    return length_squared(a.place.point - place.point) <
+           length_squared(b.place.point - place.point);
+  };
+  const std::size_t count = std::size_t(grid->columns) * grid->rows;
+  return point_json(std::min_element(first, first + std::ptrdiff_t(count), nearer)->normal);
 }
 
 Json finding_json(const verifier::Finding& f, const verifier::DeviationField& field,

@@ -76,12 +76,10 @@ using Stroke = std::array<model::Vec2, 2>;
 
 std::vector<Stroke> border_strokes(const verifier::DeviationField& field, const MapFrame& frame) {
   std::vector<Stroke> strokes;
-  for (const auto& quad : field.quads)
-    for (int k = 0; k < 4; ++k) {
-      const Sample &a = field.samples[quad[k]], &b = field.samples[quad[(k + 1) % 4]];
-      if (on_patch_border(a, b))
-        strokes.push_back({frame.pixel(a.place.point), frame.pixel(b.place.point)});
-    }
+  visit_borders(field, [&](std::size_t a, std::size_t b) {
+    strokes.push_back(
+        {frame.pixel(field.samples[a].place.point), frame.pixel(field.samples[b].place.point)});
+  });
   return strokes;
 }
 
@@ -109,10 +107,19 @@ Rgba hatch_colour(std::size_t x, std::size_t y) {
   return (x + y) % kHatchPeriod < kHatchPeriod / 3 ? kHatchDark : kHatchLight;
 }
 
-bool on_patch_border(const Sample& a, const Sample& b) {
-  const auto same_end = [](double p, double q) { return p == q && (p == 0 || p == 1); };
-  return a.place.patch == b.place.patch &&
-         (same_end(a.place.u, b.place.u) || same_end(a.place.v, b.place.v));
+void visit_borders(const verifier::DeviationField& field,
+                   const std::function<void(std::size_t, std::size_t)>& visit) {
+  for (const verifier::DeviationField::Grid& grid : field.grids) {
+    const std::size_t columns = grid.columns, last_row = grid.first + columns * (grid.rows - 1);
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+      visit(grid.first + i, grid.first + i + 1);
+      visit(last_row + i, last_row + i + 1);
+    }
+    for (std::size_t at = grid.first; at < last_row; at += columns) {
+      visit(at, at + columns);
+      visit(at + columns - 1, at + 2 * columns - 1);
+    }
+  }
 }
 
 MapFrame map_frame(const verifier::DeviationField& field, int largest_width, int largest_height) {

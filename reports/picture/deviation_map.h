@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+
 #include "reports/picture/deviation_scale.h"
 #include "reports/picture/image.h"
 #include "reports/picture/lines.h"
@@ -28,9 +31,10 @@ Image draw_map(const verifier::DeviationField& field, const DeviationScale& scal
 /// The hatching that stands for unreachable surface at one pixel of a picture that is twice as fine
 /// as what is shown.
 Rgba hatch_colour(std::size_t x, std::size_t y);
-/// Whether the edge from `a` to `b` lies on the border of their patch.
-bool on_patch_border(const verifier::DeviationField::Sample& a,
-                     const verifier::DeviationField::Sample& b);
+/// Calls `visit(a, b)` with the indices of neighbouring samples all along the borders of patches;
+/// of a mesh, of facets.
+void visit_borders(const verifier::DeviationField& field,
+                   const std::function<void(std::size_t, std::size_t)>& visit);
 /// A square of the hatching that stands for unreachable surface.
 void draw_hatch(Image& image, int left, int top, int size);
 

@@ -88,16 +88,12 @@ std::vector<ScreenPoint> border_points(const verifier::DeviationField& field,
                                        const std::vector<ScreenPoint>& points,
                                        const PerspectiveView& view) {
   std::vector<ScreenPoint> along;
-  for (const auto& quad : field.quads) {
-    for (int k = 0; k < 4; ++k) {
-      const auto i = quad[k], j = quad[(k + 1) % 4];
-      const Sample &a = field.samples[i], &b = field.samples[j];
-      if (!on_patch_border(a, b)) continue;
-      const int steps = 1 + int(std::hypot(points[j].x - points[i].x, points[j].y - points[i].y));
-      for (int n = 0; n <= steps; ++n)
-        along.push_back(view.project(model::lerp(a.place.point, b.place.point, double(n) / steps)));
-    }
-  }
+  visit_borders(field, [&](std::size_t i, std::size_t j) {
+    const Sample &a = field.samples[i], &b = field.samples[j];
+    const int steps = 1 + int(std::hypot(points[j].x - points[i].x, points[j].y - points[i].y));
+    for (int n = 0; n <= steps; ++n)
+      along.push_back(view.project(model::lerp(a.place.point, b.place.point, double(n) / steps)));
+  });
   return along;
 }
 

@@ -33,10 +33,10 @@ double badness(const PatchFigures& f, const verifier::GateLimits& limits) {
 }  // namespace
 
 std::vector<PatchFigures> patch_figures(const verifier::DeviationField& field,
-                                        const verifier::GateLimits& limits) {
+                                        const verifier::GateLimits& limits, int together) {
   std::map<int, PatchFigures> by_patch;
   for (const verifier::DeviationField::Sample& sample : field.samples)
-    add(by_patch[sample.place.patch], sample);
+    add(by_patch[sample.place.patch / together * together], sample);
   std::vector<PatchFigures> all;
   for (auto& [patch, figures] : by_patch) {
     figures.patch = patch;

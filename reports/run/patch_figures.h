@@ -19,8 +19,9 @@ struct PatchFigures {
 };
 
 /// A patch of the field each, the worst first: by how large gouge or uncut is against its limit, or
-/// in mm where nothing is limited; equals by patch.
+/// in mm where nothing is limited; equals by patch. Of a mesh a facet each, which is `together`
+/// patches, and known by the first of them.
 std::vector<PatchFigures> patch_figures(const verifier::DeviationField& field,
-                                        const verifier::GateLimits& limits);
+                                        const verifier::GateLimits& limits, int together = 1);
 
 }  // namespace limitgauge::reports

@@ -42,13 +42,17 @@ struct StockSurfaceFigures {
   std::size_t unmoved_vertices = 0;  ///< that could not be put onto the exact surface
 };
 
+inline constexpr int kPatchesOfTriangle = 3;
+
 /// What is known of a design that is a mesh.
 struct MeshDesign {
   std::vector<std::size_t> numbers;   ///< of its triangles in the file, from 0; three patches each
   std::size_t dropped_triangles = 0;  ///< with two corners in one point
 
   /// As people count, from 1.
-  std::size_t triangle_of(int patch) const { return numbers[std::size_t(patch) / 3] + 1; }
+  std::size_t triangle_of(int patch) const {
+    return numbers[std::size_t(patch) / kPatchesOfTriangle] + 1;
+  }
 };
 
 /// The design surface's part of result.json.

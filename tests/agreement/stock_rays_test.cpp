@@ -11,7 +11,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
 #include "tests/support/solid_meshes.h"
-#include "verifier/gate/deviation_field.h"
+#include "verifier/gate/field_samples.h"
 #include "verifier/surface/surface_tree.h"
 
 namespace limitgauge {

@@ -85,11 +85,13 @@ struct DeviationField {
     float area_mm2 = 0;                           ///< share of the surface this sample stands for
   };
   /// The samples of one patch: a grid of parameters from 0 to 1, u along the columns (which run
-  /// fastest), v along the rows; at least two of each.
+  /// fastest), v along the rows; at least two of each. Of a mesh those of a facet, which is three
+  /// patches: columns square to its longest side.
   struct Grid {
-    int patch = 0;
+    int patch = 0;  ///< the first one
     std::uint32_t columns = 0, rows = 0;
     std::uint32_t first = 0;  ///< index of its first sample
+    int patches = 1;
     friend bool operator==(const Grid&, const Grid&) = default;
   };
   std::vector<Sample> samples;

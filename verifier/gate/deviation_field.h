@@ -8,11 +8,6 @@
 
 namespace limitgauge::verifier {
 
-/// Samples of S on a grid of parameters in every patch, no two neighbours further apart than
-/// `spacing_mm` (as measured along the patch's grid lines), each with the area it stands for.
-/// Deviations are not filled in yet.
-DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm);
-
 /// What runs are measured in: flutes and raw stock for material; for what was removed, flutes of
 /// passes whose gouges count, and shanks and holders besides. One space where these come nowhere
 /// near and all passes count.

@@ -10,6 +10,7 @@
 
 #include "verifier/certificate/certificate.h"
 #include "verifier/gate/deviation_field.h"
+#include "verifier/gate/field_samples.h"
 #include "verifier/gate/verify.h"
 #include "verifier/reach/reach_map.h"
 

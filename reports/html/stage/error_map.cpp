@@ -117,24 +117,28 @@ std::string percent_number(double share) {
 
 Row patch_row(const RunResult& result, std::size_t index, const PatchFigures& f,
               const PatchUnits& units) {
-  return {{std::to_string(f.patch), number_of(result.surface->depths, f.patch),
+  const MeshDesign* mesh = result.mesh_design();
+  const std::string name = std::to_string(mesh != nullptr ? mesh->triangle_of(f.patch) : f.patch);
+  return {{name, number_of(result.surface->depths, f.patch),
            number_of(result.stages[index].ran->sampling_intervals, f.patch),
            seen_number(f.gouge_mm, units.gouge), seen_number(f.uncut_mm, units.uncut),
            three_digits(f.area_mm2), percent_number(f.unreachable_share()), grouped(f.samples)},
           fmt::format(" data-stage=\"{}\" data-patch=\"{}\"", index, f.patch)};
 }
 
-std::string summary(std::size_t shown, std::size_t all) {
-  if (shown == all) return fmt::format("All {} patches, worst first", grouped(all));
-  return fmt::format("The {} worst of {} patches; all are in deviation.vtp", shown, grouped(all));
+std::string summary(std::size_t shown, std::size_t all, const char* patches) {
+  if (shown == all) return fmt::format("All {} {}, worst first", grouped(all), patches);
+  return fmt::format("The {} worst of {} {}; all are in deviation.vtp", shown, grouped(all),
+                     patches);
 }
 
 }  // namespace
 
 std::string patch_table(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
+  const bool is_mesh = result.mesh_design() != nullptr;
   const std::vector<PatchFigures> patches =
-      patch_figures(stage.ran->deviation->field, stage.limits);
+      patch_figures(stage.ran->deviation->field, stage.limits, is_mesh ? kPatchesOfTriangle : 1);
   if (patches.empty()) return {};
   const std::size_t shown = std::min(patches.size(), kMostRows);
   const PatchUnits units = units_of(patches);
@@ -142,12 +146,12 @@ std::string patch_table(const RunResult& result, std::size_t index) {
   for (std::size_t i = 0; i < shown; ++i)
     rows.push_back(patch_row(result, index, patches[i], units));
   return fold(
-      "patches", summary(shown, patches.size()),
+      "patches", summary(shown, patches.size(), is_mesh ? "triangles" : "patches"),
       table("Depth and interval: how finely the engine's model of the patch was subdivided, "
             "and how sparsely this stage's path sampled it. Gouge and uncut are the worst of "
             "the patch's samples, uncut where the cutter can reach; certified are the figures "
             "for the whole.",
-            {{"Patch"},
+            {{is_mesh ? "Triangle" : "Patch"},
              {"Depth", true},
              {"Interval", true},
              {std::string("Gouge seen, ") + units.gouge.symbol, true},

@@ -94,12 +94,22 @@ test('positions, cells and outward normals of a grid', () => {
   }
 });
 
-test('a sample’s place, and the sample nearest to a place', () => {
+test('where a grid shrinks to a point its normal is that of its neighbour', () => {
+  // A triangle in the plane x = 0: columns at 0, 1 and 4 along y, of heights 0, 2 and 0.
+  const packer = new Packer(), points = [];
+  for (const up of [0, 1, 2]) points.push(0, 0, 0, 0, 1, up, 0, 4, 0);
+  const position = { block: packer.add(points, 'i32', 2, 3), step_mm: 1 };
+  const json = { patches: [{ patch: 6, columns: 3, rows: 3 }], stride: 1, position };
+  const { normals } = decodeSurface(json, packer.blob);
+  for (let k = 0; k < 9; ++k) assert.deepEqual([...normals.subarray(3 * k, 3 * k + 3)], [1, 0, 0], `sample ${k}`);
+  const line = { ...json, position: { block: packer.add(new Array(27).fill(5), 'i32', 2, 3), step_mm: 1 } };
+  assert.deepEqual([...decodeSurface(line, packer.blob).normals.subarray(0, 3)], [0, 0, 1]);
+});
+
+test('a sample’s place', () => {
   const surface = cylinder(9, 41);
   assert.deepEqual(surface.place(0), { patch: 4, u: 0, v: 0 });
   assert.deepEqual(surface.place(9 * 20 + 2), { patch: 4, u: 0.25, v: 0.5 });
-  assert.equal(surface.nearest(4, 0.26, 0.49), 9 * 20 + 2);
-  assert.equal(surface.nearest(5, 0, 0), -1);
   // Of 11 measured columns 5 are shown: 0, 3 (2.5, rounded up), 5, 8, 10.
   const thinned = cylinder(5, 3, [11, 5]);
   assert.deepEqual([0, 1, 2, 3, 4].map((k) => thinned.place(k).u), [0, 0.3, 0.5, 0.8, 1]);

@@ -42,6 +42,17 @@ TEST_CASE("a patch has the worst of its samples", "[unit][html]") {
   CHECK(patch_figures({}, {}).empty());
 }
 
+TEST_CASE("the patches of a triangle count as one", "[unit][html]") {
+  verifier::DeviationField field;
+  field.samples = {sample(3, -0.25F, 1), sample(5, 0.5F, 2), sample(2, 0.125F, 4)};
+  const std::vector<PatchFigures> all = patch_figures(field, {}, kPatchesOfTriangle);
+  REQUIRE(order(all) == std::vector{3, 0});
+  CHECK(all[0].samples == 2);
+  CHECK(all[0].gouge_mm == 0.25);
+  CHECK(all[0].uncut_mm == 0.5);
+  CHECK(all[0].area_mm2 == 3);
+}
+
 TEST_CASE("patches are sorted by how far they use up their limits", "[unit][html]") {
   verifier::DeviationField field;
   field.samples = {sample(0, 0.5F, 1), sample(1, -0.125F, 1), sample(2, -0.25F, 1),

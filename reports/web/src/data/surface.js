@@ -18,7 +18,6 @@ export function decodeSurface(json, blob) {
     throw new Error('the page’s data have another number of positions than of samples');
   const surface = { patches, stride, measured_samples, step_mm: position.step_mm, samples, first };
   surface.place = (sample) => placeOf(sample, patches, first);
-  surface.nearest = (patch, u, v) => nearestSample(patch, u, v, patches, first);
   return lazily(surface, {
     positions: () => blob.multiples(position.block, position.step_mm),
     normals: () => gridNormals(surface.positions, patches, first),
@@ -52,14 +51,6 @@ function placeOf(sample, patches, first) {
   };
 }
 
-/** @returns {number} the sample nearest to a place in parameters; -1 where the patch has none */
-function nearestSample(patch, u, v, patches, first) {
-  const at = patches.findIndex((p) => p.patch === patch);
-  if (at < 0) return -1;
-  const { columns, rows } = patches[at];
-  return first[at] + Math.round(v * (rows - 1)) * columns + Math.round(u * (columns - 1));
-}
-
 /** Four corners a cell, counter-clockwise from outside. */
 function gridCells(patches, first) {
   const count = patches.reduce((sum, p) => sum + (p.columns - 1) * (p.rows - 1), 0);
@@ -90,8 +81,24 @@ function gridNormals(positions, patches, first) {
         difference(positions, at, j, rows, columns, dv);
         setNormal(normals, 3 * at, du, dv);
       }
+    fillNormals(normals, 3 * first[p], 3 * (first[p] + columns * rows));
   });
   return normals;
+}
+
+/**
+ * Where a grid has shrunk to a point, as at the tips of a triangle, differences give no normal: it is that
+ * of the sample before, or else of the first one behind; upwards where the whole grid has shrunk.
+ */
+function fillNormals(normals, from, to) {
+  const isZero = (at) => normals[at] === 0 && normals[at + 1] === 0 && normals[at + 2] === 0;
+  let known = from;
+  while (known < to && isZero(known)) known += 3;
+  if (known === to) normals.set([0, 0, 1], known = from);
+  for (let at = from; at < to; at += 3) {
+    if (isZero(at)) normals.copyWithin(at, known, known + 3);
+    else known = at;
+  }
 }
 
 /** Derivative along a grid line, times an even number of steps that is left out of account. */
@@ -110,8 +117,8 @@ function setNormal(normals, at, du, dv) {
   const y = du[2] * dv[0] - du[0] * dv[2];
   const z = du[0] * dv[1] - du[1] * dv[0];
   const length = Math.hypot(x, y, z);
-  // Where a grid has shrunk to a line any direction is as good as another.
-  normals[at] = length > 0 ? x / length : 0;
-  normals[at + 1] = length > 0 ? y / length : 0;
-  normals[at + 2] = length > 0 ? z / length : 1;
+  if (!(length > 0)) return;
+  normals[at] = x / length;
+  normals[at + 1] = y / length;
+  normals[at + 2] = z / length;
 }

@@ -102,4 +102,39 @@ inline model::TriangleMesh mapped(model::TriangleMesh mesh,
   return mesh;
 }
 
+/// A square plate about the origin, from z = 0 up, with a hole through it of `sides` sides (a
+/// multiple of four) whose corners are `radius_mm` from its middle.
+inline model::TriangleMesh plate_with_hole(int sides, double radius_mm, double half_mm,
+                                           double height_mm) {
+  model::TriangleMesh mesh;
+  const auto n = static_cast<std::uint32_t>(sides);
+  for (const double z : {0.0, height_mm}) {
+    for (int i = 0; i < sides; ++i) {
+      const double a = 2 * std::numbers::pi * i / sides;
+      mesh.vertices.push_back({radius_mm * std::cos(a), radius_mm * std::sin(a), z});
+    }
+    for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})
+      mesh.vertices.push_back({x * half_mm, y * half_mm, z});
+  }
+  const std::uint32_t up = n + 4;
+  for (std::uint32_t side = 0; side < 4; ++side) {
+    const std::uint32_t corner = n + side, next = n + (side + 1) % 4;
+    for (std::uint32_t i = side * n / 4; i < (side + 1) * n / 4; ++i) {
+      const std::uint32_t j = (i + 1) % n;
+      for (const auto& t : {std::array{up + j, up + i, up + corner},
+                            {i, j, corner},
+                            {j, i, up + i},
+                            {j, up + i, up + j}})
+        mesh.triangles.push_back(t);
+    }
+    const std::uint32_t last = (side + 1) * n / 4 % n;
+    for (const auto& t : {std::array{up + last, up + corner, up + next},
+                          {last, next, corner},
+                          {corner, next, up + next},
+                          {corner, up + next, up + corner}})
+      mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
 }  // namespace limitgauge::tests

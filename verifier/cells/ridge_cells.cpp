@@ -188,6 +188,22 @@ double edge_length(const RidgeCell& cell) {
   return 2 * control_radius(cell.shape, middle(cell.shape));
 }
 
+/// Which two of a cell's normals are the furthest apart at its middle.
+struct WidestFan {
+  int first = 0, second = 1;
+  double angle_rad = -1;
+};
+
+WidestFan widest_of(const RidgeCell& cell) {
+  WidestFan widest;
+  for (int i = 0; i < cell.count; ++i)
+    for (int j = i + 1; j < cell.count; ++j) {
+      const double angle = angle_between(at_middle(cell.normals[i]), at_middle(cell.normals[j]));
+      if (angle > widest.angle_rad) widest = {i, j, angle};
+    }
+  return widest;
+}
+
 void add_edge(const SharpEdge& edge, const SurfaceTree& tree, double radius_mm,
               std::vector<RidgeCell>& out) {
   const auto a = strips_of(edge.sides[0], tree), b = strips_of(edge.sides[1], tree);
@@ -291,21 +307,33 @@ OffsetCell RidgeCell::offset() const {
 }
 
 std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
-  int first = 0, second = 1;
-  double widest = -1, turning = 0;
+  double turning = 0;
   for (int k = 0; k < count; ++k)
     turning = std::max(turning, angle_between(normals[k].front(), normals[k].back()));
-  for (int i = 0; i < count; ++i)
-    for (int j = i + 1; j < count; ++j) {
-      const double angle = angle_between(at_middle(normals[i]), at_middle(normals[j]));
-      if (angle > widest) widest = angle, first = i, second = j;
-    }
   const double t = std::abs(t_mm);
-  if (edge_length(*this) + t * turning > t * widest) return halved_along(*this);
+  return edge_length(*this) + t * turning > t * fan_rad() ? halved_along(*this) : halved_fan();
+}
+
+std::array<RidgeCell, 2> RidgeCell::halved_fan() const {
+  const auto [first, second, angle] = widest_of(*this);
   std::array<RidgeCell, 2> out{*this, *this};
   for (int k = 0; k < 6; ++k)
     out[0].normals[second][k] = out[1].normals[first][k] =
         (normals[first][k] + normals[second][k]) / 2;
+  return out;
+}
+
+double RidgeCell::fan_rad() const {
+  return widest_of(*this).angle_rad;
+}
+
+RidgeCell RidgeCell::without_fan() const {
+  RidgeCell out = *this;
+  for (int k = 0; k < 6; ++k) {
+    Vec3 sum;
+    for (int i = 0; i < count; ++i) sum += normals[i][k];
+    for (int i = 0; i < count; ++i) out.normals[i][k] = sum / count;
+  }
   return out;
 }
 

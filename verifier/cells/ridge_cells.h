@@ -24,6 +24,12 @@ struct RidgeCell {
   /// Halves along the edge, or of the normals: by which of the two the places `t_mm` away from the
   /// cell spread more.
   std::array<RidgeCell, 2> halved(double t_mm) const;
+  /// Halves of the normals, between the two at the middle that are the furthest apart.
+  std::array<RidgeCell, 2> halved_fan() const;
+  /// The largest angle between two of its normals at the middle of the edge, rad.
+  double fan_rad() const;
+  /// The same piece with nothing but the middle normal at every point of it.
+  RidgeCell without_fan() const;
   /// So small that its middle may stand for it.
   bool is_tiny() const;
 };

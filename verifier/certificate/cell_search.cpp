@@ -239,7 +239,15 @@ class CellSearch {
     }
     return halves_of(cell, offset);
   }
+  /// What the cutter touches ends at one of the normals, as at the level one of an overhang: all
+  /// along the edge.
   std::array<RidgeCell, 2> halves_by_reach(const RidgeCell& cell, const OffsetCell& offset) {
+    if (cell.fan_rad() > kSmallestFan_rad) {
+      const auto halves = cell.halved_fan();
+      if (surely_unreachable(halves[0], halves[0].offset()) ||
+          surely_unreachable(halves[1], halves[1].offset()))
+        return halves;
+    }
     return halves_of(cell, offset);
   }
   std::optional<bool> within_strips(const SurfaceCell&, const OffsetCell& offset) {
@@ -253,8 +261,12 @@ class CellSearch {
     if (!task_.reach->is_mapped(cell)) ++reach_searches_;
     return task_.reach->surely_unreachable(cell, offset, &memory_);
   }
-  bool surely_unreachable(const RidgeCell&, const OffsetCell& offset) {
-    return task_.side == Side::uncut && task_.reach->ridge_surely_unreachable(offset, &memory_);
+  /// Normals that are so near to each other count as the middle one does.
+  bool surely_unreachable(const RidgeCell& cell, const OffsetCell& offset) {
+    if (task_.side != Side::uncut) return false;
+    return task_.reach->ridge_surely_unreachable(offset, &memory_) ||
+           (cell.fan_rad() <= kSmallestFan_rad &&
+            task_.reach->ridge_surely_unreachable(cell.without_fan().offset(), &memory_));
   }
 
   /// A place of the whole cell, and of a space that sways the share of its shift there.

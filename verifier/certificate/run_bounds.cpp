@@ -308,15 +308,16 @@ TracedRun RunBounds::drawn_run(const Vec3& s, const Vec3& n, double least_mm) co
   constexpr std::array<std::array<double, 2>, 5> kShares = {
       {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
   const Vec3& half = draws_->half_mm;
-  TracedRun longest;
+  std::optional<TracedRun> longest;
   for (const auto& [x, y] : kShares) {
     // Along an axis without a range all shares are one.
     if ((half.x == 0 && x > 0) || (half.y == 0 && y > 0)) continue;
-    const TracedRun run = run_shifted(s, n, x, y, std::max(least_mm, longest.length_mm));
-    if (run.length_mm > longest.length_mm || !longest.body) longest = run;
+    const double least = std::max(least_mm, longest ? longest->length_mm : 0);
+    const TracedRun run = run_shifted(s, n, x, y, least);
+    if (!longest || run.length_mm > longest->length_mm) longest = run;
     if (half == Vec3{}) break;
   }
-  return longest;
+  return longest.value_or(TracedRun{});
 }
 
 double RunBounds::quick_run(const Vec3& s, const Vec3& n, std::optional<BodyRef>& hint) {

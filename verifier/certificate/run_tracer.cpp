@@ -14,30 +14,50 @@ using model::Vec3;
 
 /// Steps of one run: what is grazed longer is cut short there, which is a bound as well.
 constexpr int kMostSteps = 400;
+/// Up to here a run is followed before S is asked where it ends it: most runs are shorter, and what
+/// lies beyond that end need not be looked through.
+constexpr double kFirstLook_mm = 2;
 
 }  // namespace
 
 TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm, double limit_mm,
                               double least_mm) const {
-  constexpr EndRule kEnds{kSkin_mm, kBeside_mm, kAlong};
+  const auto crossing_before = [&](double length_mm) {
+    return next_crossing_mm(cells_, s, n, Way::outwards, allowance_mm, allowance_mm + length_mm) -
+           allowance_mm;
+  };
   const Vec3 from = s + n * allowance_mm;
   TracedRun run;
+  const double near_mm = std::min(limit_mm, kFirstLook_mm);
+  if (!stands_up_to(near_mm, from, n, run) || near_mm == limit_mm) {
+    if (run.length_mm <= least_mm) return run;
+    const double crossing = crossing_before(run.length_mm);
+    if (crossing < run.length_mm) run.length_mm = crossing, run.meets_surface = true;
+    return run;
+  }
+  const double crossing = crossing_before(limit_mm), end = std::min(crossing, limit_mm);
+  if (crossing <= near_mm) run.length_mm = crossing;
+  stands_up_to(end, from, n, run);
+  run.meets_surface = crossing < limit_mm && run.length_mm >= crossing;
+  return run;
+}
+
+/// Follows a run outwards from where it has come to; whether it goes on at `limit_mm`.
+bool RunTracer::stands_up_to(double limit_mm, const Vec3& from, const Vec3& n,
+                             TracedRun& run) const {
+  constexpr EndRule kEnds{kSkin_mm, kBeside_mm, kAlong};
   for (int step = 0; step < kMostSteps && run.length_mm < limit_mm; ++step) {
     const auto met =
         space_.first_met(from + n * run.length_mm, n, limit_mm - run.length_mm, kEnds, far_.get());
     run.length_mm += met.t_mm, run.body = met.body;
-    if (!met.body) break;
+    if (!met.body) return true;
     // A slit thinner than a skin, as between a cut and material that touches its edge, ends no run.
     const double past = run.length_mm + kStepOver_mm;
     const auto [body, next] = space_.nearest_grown(from + n * past, met.body, far_.get());
-    if (kEnds.is_met(next.value - space_.error_mm(body), next.gradient, n)) break;
+    if (kEnds.is_met(next.value - space_.error_mm(body), next.gradient, n)) return false;
     run.length_mm = std::min(past, limit_mm);
   }
-  if (run.length_mm <= least_mm) return run;
-  const double to = allowance_mm + run.length_mm;
-  const double crossing = next_crossing_mm(cells_, s, n, Way::outwards, allowance_mm, to);
-  if (crossing < to) run.length_mm = crossing - allowance_mm, run.meets_surface = true;
-  return run;
+  return run.length_mm >= limit_mm;
 }
 
 /// The last place along the ray, from t on where the body holds it, that the body still holds.

@@ -45,6 +45,8 @@ class RunTracer {
   double free_length_mm(const model::Vec3& p, const model::Vec3& along, double limit_mm) const;
 
  private:
+  bool stands_up_to(double limit_mm, const model::Vec3& from, const model::Vec3& n,
+                    TracedRun& run) const;
   double free_beside(const Nearest& at, const model::Vec3& p, const model::Vec3& along, double t,
                      double limit_mm) const;
   bool is_wedge(const model::Vec3& p, const model::Vec3& along) const;

@@ -1,9 +1,11 @@
 // Material over sharp convex edges: a cutter rides on an edge along every normal between the faces.
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/catch.h"
 #include "tests/support/judging.h"
 #include "tests/support/part_cages.h"
+#include "tests/support/solid_meshes.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -137,6 +139,25 @@ TEST_CASE("material that touches an edge of the part and no more stands over it"
   CAPTURE(judged.deviation.uncut_mm.low, judged.deviation.uncut_mm.high);
   CHECK(judged.decision.verdict == Verdict::fail);
   CHECK(judged.deviation.uncut_mm.low == Approx(std::hypot(wide, tall)).epsilon(0.05));
+}
+
+TEST_CASE("under the rim of a hole the normals of its walls alone are in reach",
+          "[unit][definition2]") {
+  // Below the plate 1 mm of stock stands. A run from the lower rim that leans downwards by however
+  // little passes under the wall opposite and on through that layer, but no flat touches the rim
+  // so: across the hole stand 2 r cos(π/n), and nowhere more.
+  constexpr double kRadius_mm = 3;
+  constexpr int sides = 8;
+  const ReferenceSurface plate(plate_with_hole(sides, kRadius_mm, 10, 10));
+  const auto block = block_between({-10, -10, -1}, {10, 10, 10});
+  const std::vector<Pass> passes = {pass_of(flat_cutter(2.5), nothing())};
+  const StageDeviation d = measured(plate, block, passes, 0.001);
+  CAPTURE(d.uncut_mm.low, d.uncut_mm.high);
+  const double across_mm = 2 * kRadius_mm * std::cos(std::numbers::pi / sides);
+  CHECK(d.uncut_mm.low == Approx(across_mm).margin(1e-5));
+  CHECK(d.uncut_mm.high >= across_mm);
+  CHECK(d.uncut_mm.width() <= 0.001);
+  CHECK(d.cells < 200'000);
 }
 
 }  // namespace limitgauge::verifier

@@ -103,14 +103,15 @@ inline model::TriangleMesh mapped(model::TriangleMesh mesh,
 }
 
 /// A square plate about the origin, from z = 0 up, with a hole through it of `sides` sides (a
-/// multiple of four) whose corners are `radius_mm` from its middle.
+/// multiple of four) whose corners are `radius_mm` from its middle, the first at so many steps from
+/// one to the next.
 inline model::TriangleMesh plate_with_hole(int sides, double radius_mm, double half_mm,
-                                           double height_mm) {
+                                           double height_mm, double first_step = 0) {
   model::TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(sides);
   for (const double z : {0.0, height_mm}) {
     for (int i = 0; i < sides; ++i) {
-      const double a = 2 * std::numbers::pi * i / sides;
+      const double a = 2 * std::numbers::pi * (i + first_step) / sides;
       mesh.vertices.push_back({radius_mm * std::cos(a), radius_mm * std::sin(a), z});
     }
     for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})

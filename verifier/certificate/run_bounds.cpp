@@ -76,19 +76,21 @@ bool RunBounds::surely_crosses(const OffsetCell& cell, double length_mm) const {
   if (allowance_mm_ < 0 || control_radius(cell.shape, cell.middle) > kWidest * length_mm)
     return false;
   // Where runs begin on s itself, the segments look past it by no more than a skin.
-  if (side_ == Side::uncut)
-    return surely_crosses_surface(cells_, cell, Way::outwards,
-                                  allowance_mm_ > kStepOver_mm ? allowance_mm_ : -kStepOver_mm,
-                                  allowance_mm_ + length_mm);
-  const double low = allowance_mm_ - length_mm;
-  if (surely_crosses_surface(cells_, cell, Way::inwards, low,
-                             std::max(allowance_mm_, kStepOver_mm)))
+  const bool is_uncut = side_ == Side::uncut;
+  const Way way_on = is_uncut ? Way::outwards : Way::inwards;
+  const double far = is_uncut ? allowance_mm_ + length_mm : allowance_mm_ - length_mm;
+  const double from =
+      allowance_mm_ > kStepOver_mm ? allowance_mm_ : (is_uncut ? -1 : 1) * kStepOver_mm;
+  if (surely_crosses_surface(cells_, cell, way_on, std::min(from, far), std::max(from, far)))
     return true;
-  // At the rim, where the far side may end as well. What is beside the cell need not be S.
-  if (!is_narrow(cell) || low >= -kStepOver_mm) return false;
+  // At the rim or a sharp edge, where the far side may end as well, as the wall of a hole does
+  // opposite another. What is beside the cell need not be S, so that segments begin beyond it.
+  const double beyond = is_uncut ? std::max(allowance_mm_, kStepOver_mm) : -kStepOver_mm;
+  if (!is_narrow(cell) || (is_uncut ? far <= beyond : far >= beyond)) return false;
   const auto ways = ways_along(cell);
   return std::any_of(ways.begin(), ways.end(), [&](const Vec3& way) {
-    return surely_crosses_surface(cells_, beside(cell, way), Way::inwards, low, -kStepOver_mm);
+    return surely_crosses_surface(cells_, beside(cell, way), way_on, std::min(beyond, far),
+                                  std::max(beyond, far));
   });
 }
 

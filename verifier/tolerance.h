@@ -187,6 +187,10 @@ inline constexpr double kContact_mm = 1e-4;
 inline constexpr double kLevelSlope = 1e-9;
 /// Turn of a normal on a wall that contacts leave room for, rad.
 inline constexpr double kContactTurn_rad = 1e-6;
+/// A face whose normals are no more than this off a flat's level or off the slope of a cutter's side
+/// is tried as one that lies along it, rad: whether it is in reach is for the contact tolerance to
+/// say. What coordinates in single precision turn a face of a tenth of a millimetre by.
+inline constexpr double kLean_rad = 1e-4;
 /// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
 inline constexpr double kUnavoidable_mm = 5e-3;
 /// A cutter so far above S and its allowance is free: a nanometre, far above rounding.

@@ -28,16 +28,27 @@ bool is_plane(std::span<const std::uint32_t> corners, const std::vector<Vec3>& v
   return true;
 }
 
-/// The fan about corner `about`; false where a triangle faces away from `normal`.
+/// Whether corners without a vector area lie on one line; else the polygon crosses itself.
+bool is_on_a_line(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices) {
+  const Vec3& o = vertices[corners[0]];
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    if (length(cross(vertices[corners[k]] - o, vertices[corners[k + 1]] - o)) > 0) return false;
+  return true;
+}
+
+/// The fan about corner `about`; false where a triangle faces away from `normal`, or, if
+/// `strictly`, has its corners on one line.
 bool fan_about(std::size_t about, std::span<const std::uint32_t> corners,
-               const std::vector<Vec3>& vertices, const Vec3& normal, PolygonFan& fan) {
+               const std::vector<Vec3>& vertices, const Vec3& normal, bool strictly,
+               PolygonFan& fan) {
   fan.triangles.clear();
   const std::size_t n = corners.size();
   const std::uint32_t apex = corners[about];
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const std::uint32_t b = corners[(about + k) % n], c = corners[(about + k + 1) % n];
     const Vec3 facing = cross(vertices[b] - vertices[apex], vertices[c] - vertices[apex]);
-    if (dot(facing, normal) < 0) return false;
+    const double towards = dot(facing, normal);
+    if (strictly ? !(towards > 0) : towards < 0) return false;
     fan.triangles.push_back({apex, b, c});
   }
   return true;
@@ -68,14 +79,19 @@ PolygonFan fan_of(std::span<const std::uint32_t> corners, const std::vector<Vec3
   }
   // Where the corners lie on a line, any fan will do.
   const Vec3 normal = normalized(vector_area(corners, vertices));
+  if (normal == Vec3{} && !is_on_a_line(corners, vertices)) {
+    fan.wrong = "a polygon crosses itself";
+    return fan;
+  }
   if (!is_plane(corners, vertices, normal)) {
     fan.wrong = "the corners of a polygon are more than 0.001 mm off a plane";
     return fan;
   }
   // A polygon of many corners that no fan covers must not take quadratic time.
   constexpr std::size_t kMostTries = 64;
-  for (std::size_t about = 0; about < std::min(corners.size(), kMostTries); ++about)
-    if (fan_about(about, corners, vertices, normal, fan)) return fan;
+  for (const bool strictly : {true, false})
+    for (std::size_t about = 0; about < std::min(corners.size(), kMostTries); ++about)
+      if (fan_about(about, corners, vertices, normal, strictly, fan)) return fan;
   fan.triangles.clear();
   fan.wrong = "a polygon is not convex and cannot be seen whole from one of its corners";
   return fan;

@@ -89,11 +89,12 @@ class CutterText {
     set(key, signed_value(key));
   }
 
-  /// All but angles that may be level or lean inwards, and lengths that may be on the axis, are
-  /// greater than 0.
+  /// All but angles that may be level or lean inwards, lengths that may be on the axis, and corners
+  /// that may be sharp, are greater than 0.
   double signed_value(const std::string& key) {
-    const bool any = key == "a" || key == "b" || key == "e" || key == "f" || key == "ramp" ||
-                     (key == "r" && cutter_.type == CutterType::apt);
+    const bool any =
+        key == "a" || key == "b" || key == "e" || key == "f" || key == "ramp" ||
+        (key == "r" && (cutter_.type == CutterType::apt || cutter_.type == CutterType::taper));
     return any ? text_.number(",", key) : text_.positive(",", key);
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "verifier/cells/normal_cone.h"
@@ -311,7 +312,8 @@ std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
   for (int k = 0; k < count; ++k)
     turning = std::max(turning, angle_between(normals[k].front(), normals[k].back()));
   const double t = std::abs(t_mm);
-  return edge_length(*this) + t * turning > t * fan_rad() ? halved_along(*this) : halved_fan();
+  return edge_length(*this) + t * turning > t * widest_of(*this).angle_rad ? halved_along(*this)
+                                                                           : halved_fan();
 }
 
 std::array<RidgeCell, 2> RidgeCell::halved_fan() const {
@@ -323,8 +325,21 @@ std::array<RidgeCell, 2> RidgeCell::halved_fan() const {
   return out;
 }
 
+/// At a point of the edge the two are means of their coefficients by the same weights, so they
+/// differ by no more than two of these do, and are no shorter than the least of them along the
+/// axis.
 double RidgeCell::fan_rad() const {
-  return widest_of(*this).angle_rad;
+  Vec3 axis;
+  for (int i = 0; i < count; ++i) axis += normalized(at_middle(normals[i]));
+  if (length(axis) < kCancels) return std::numbers::pi;
+  axis = normalized(axis);
+  double apart = 0, least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 6; ++k)
+    for (int i = 0; i < count; ++i) {
+      least = std::min(least, dot(normals[i][k], axis));
+      for (int j = 0; j < i; ++j) apart = std::max(apart, distance(normals[i][k], normals[j][k]));
+    }
+  return apart < least ? std::asin(apart / least) : std::numbers::pi;
 }
 
 RidgeCell RidgeCell::without_fan() const {

@@ -26,7 +26,7 @@ struct RidgeCell {
   std::array<RidgeCell, 2> halved(double t_mm) const;
   /// Halves of the normals, between the two at the middle that are the furthest apart.
   std::array<RidgeCell, 2> halved_fan() const;
-  /// The largest angle between two of its normals at the middle of the edge, rad.
+  /// No two of its normals at any one point of the edge are further apart, rad.
   double fan_rad() const;
   /// The same piece with nothing but the middle normal at every point of it.
   RidgeCell without_fan() const;

@@ -89,7 +89,7 @@ double RimStrips::gone_up_to(const Frame& f, double length_mm) {
 
 /// The outer part first, which is proven soonest.
 bool RimStrips::unreachable_between(const Frame& f, double from_x, double to_x, int splits) {
-  if (reach_.ridge_surely_unreachable(offset_cell(f.strip(from_x, to_x), f.normal, 0), &memory_))
+  if (reach_.surely_unreachable(offset_cell(f.strip(from_x, to_x), f.normal, 0), &memory_))
     return true;
   if (splits == 0) return false;
   const double x = from_x + (to_x - from_x) / 4;

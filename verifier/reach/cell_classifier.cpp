@@ -220,7 +220,7 @@ std::optional<Vec3> CellClassifier::deepest_middle(const Vec3& tip) const {
 
 /// Whether a point of S is cut into wherever the cutter touches the cell.
 bool CellClassifier::bars_all(const Vec3& q, const CellContact& contact) const {
-  if (contact.turning()) return false;
+  if (contact.may_stand_around()) return false;
   const auto hull =
       ContactHull::of(contact.offset(), contact.profile(), reachability_.allowance_mm());
   return hull && hull->always_below(contact.profile(), q, limit_);
@@ -230,7 +230,7 @@ bool CellClassifier::bars_all(const Vec3& q, const CellContact& contact) const {
 bool CellClassifier::refute(OpenCell& open, const SurfaceCell& cell,
                             const CellContact& contact) const {
   if (!reachability_.is_endless()) return reachability_.surely_unreachable(contact.offset());
-  if (contact.turning()) {
+  if (contact.may_stand_around()) {
     // The middle's own contact first: a proof costs many.
     const Vec3 n = middle_normal(cell);
     return contact.alpha() < 0.3 && !reachability_.touching_tip(contact.middle(), n) &&

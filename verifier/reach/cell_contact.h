@@ -22,7 +22,7 @@ class CellContact {
                                        double allowance_mm);
 
   /// Every normal of the cell points further down than the cutter's wall leans.
-  bool too_steep() const { return tilt_ - alpha_ > steepest_; }
+  bool too_steep() const { return tilt_ - alpha_ > steepest_ + kLean_rad; }
   /// Every normal lets the cutter touch, to an angle far below any tolerance.
   bool touchable() const { return tilt_ + alpha_ <= steepest_ + kContactTurn_rad; }
   /// All normals are vertical to 1e-6: the flat may touch with any of its points, and misses the
@@ -30,6 +30,8 @@ class CellContact {
   bool level() const { return tilt_ + alpha_ <= kContactTurn_rad; }
   /// The flat's direction e is not bounded: the cutter is taken to stand anywhere around.
   bool turning() const { return turning_; }
+  /// Nor is it where some normal is as good as level.
+  bool may_stand_around() const { return turning_ || (flat_ > 0 && tilt_ - alpha_ <= kLean_rad); }
   /// On a level cell: the contact that has the axis displaced by `shift` for all of its points.
   CellContact displaced(const model::Vec3& shift) const;
 

@@ -8,9 +8,17 @@ using model::Vec3;
 
 namespace {
 
-std::optional<Vec3> touching_tip(const Reachability& search, const Vec3& p, const Vec3& normal) {
+std::optional<Vec3> touching_tip(const Reachability& search, const Vec3& p, const Vec3& normal,
+                                 NormalOf of) {
   const model::Pose& own = search.to_own();
-  return search.touching_tip(own.point(p), own.direction(normal));
+  return search.touching_tip(own.point(p), own.direction(normal), of);
+}
+
+bool any_touches(std::span<const Reachability> searches, const Vec3& p, const Vec3& normal,
+                 NormalOf of) {
+  return std::any_of(searches.begin(), searches.end(), [&](const Reachability& search) {
+    return touching_tip(search, p, normal, of).has_value();
+  });
 }
 
 std::optional<Vec3> contact_tip(const Reachability& search, const Vec3& p, const Vec3& normal) {
@@ -19,9 +27,9 @@ std::optional<Vec3> contact_tip(const Reachability& search, const Vec3& p, const
 }
 
 bool surely_unreachable_by(const Reachability& search, const OffsetCell& cell,
-                           ContactMemory* memory) {
-  if (search.to_own() == model::Pose{}) return search.surely_unreachable(cell, memory);
-  return search.surely_unreachable(turned(cell, search.to_own()), memory);
+                           ContactMemory* memory, NormalOf of) {
+  if (search.to_own() == model::Pose{}) return search.surely_unreachable(cell, memory, of);
+  return search.surely_unreachable(turned(cell, search.to_own()), memory, of);
 }
 
 }  // namespace
@@ -35,13 +43,11 @@ bool ReachQuery::can_be_touched(const SurfacePlace& place, const Vec3& normal) c
     case Reach::undecided:
       break;
   }
-  return ridge_can_be_touched(place.point, normal);
+  return any_touches(searches_, place.point, normal, NormalOf::face);
 }
 
 bool ReachQuery::ridge_can_be_touched(const Vec3& p, const Vec3& normal) const {
-  return std::any_of(searches_.begin(), searches_.end(), [&](const Reachability& search) {
-    return touching_tip(search, p, normal).has_value();
-  });
+  return any_touches(searches_, p, normal, NormalOf::edge);
 }
 
 std::optional<ReachQuery::Touch> ReachQuery::touch(const SurfacePlace& place,
@@ -52,7 +58,8 @@ std::optional<ReachQuery::Touch> ReachQuery::touch(const SurfacePlace& place,
     if (const auto tip = contact_tip(searches_[entry->cutter], place.point, normal))
       return Touch{entry->cutter, *tip};
   for (std::size_t k = 0; k < searches_.size(); ++k)
-    if (const auto tip = touching_tip(searches_[k], place.point, normal)) return Touch{k, *tip};
+    if (const auto tip = touching_tip(searches_[k], place.point, normal, NormalOf::face))
+      return Touch{k, *tip};
   return std::nullopt;
 }
 
@@ -66,7 +73,7 @@ bool ReachQuery::surely_unreachable(const SurfaceCell& cell, const OffsetCell& o
     case Reach::undecided:
       break;
   }
-  return ridge_surely_unreachable(offset, memory);
+  return surely_unreachable(offset, memory);
 }
 
 bool ReachQuery::any_is_mapped() const {
@@ -79,10 +86,12 @@ bool ReachQuery::may_prove_unreachable() const {
                      [](const Reachability& search) { return search.may_prove_unreachable(); });
 }
 
-bool ReachQuery::ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory) const {
+bool ReachQuery::surely_unreachable(const OffsetCell& piece, ReachMemory* memory,
+                                    NormalOf of) const {
   if (memory) memory->resize(searches_.size());
   for (std::size_t k = 0; k < searches_.size(); ++k)
-    if (!surely_unreachable_by(searches_[k], cell, memory ? &(*memory)[k] : nullptr)) return false;
+    if (!surely_unreachable_by(searches_[k], piece, memory ? &(*memory)[k] : nullptr, of))
+      return false;
   return true;
 }
 

@@ -32,7 +32,12 @@ class ReachQuery {
   /// Proof that no point of the cell can be touched. False means "not proven".
   bool surely_unreachable(const SurfaceCell& cell, const OffsetCell& offset,
                           ReachMemory* memory = nullptr) const;
-  bool ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory = nullptr) const;
+  /// The same of any piece of a face, whatever the map says, and of a piece of a sharp edge.
+  bool surely_unreachable(const OffsetCell& piece, ReachMemory* memory = nullptr,
+                          NormalOf of = NormalOf::face) const;
+  bool ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory = nullptr) const {
+    return surely_unreachable(cell, memory, NormalOf::edge);
+  }
 
   /// Whether one of the cutters has proofs of what it reaches.
   bool any_is_mapped() const;

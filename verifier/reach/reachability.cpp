@@ -46,6 +46,11 @@ double tilt_of(const OffsetCell& cell) {
   return std::acos(std::clamp(cell.normal.z, -1.0, 1.0));
 }
 
+/// How far a contact may be off the normal.
+double lean_of(NormalOf of) {
+  return of == NormalOf::face ? kLean_rad : kLevelSlope;
+}
+
 /// Searches one cell for a point nearer than the limit; empty where that stays undecided, as where
 /// the effort is spent.
 std::optional<bool> any_below(const StandingPart& part, const Bezier& cell, const Vec3& tip,
@@ -66,6 +71,60 @@ std::optional<bool> any_below(const StandingPart& part, const Bezier& cell, cons
   return result;
 }
 
+/// Parts of a cutter reach into each other by so much, so that what lies just beyond the end of one
+/// is as deep in them together as in the whole cutter.
+constexpr double kOverlap_mm = 1;
+
+/// A cylinder of that radius or somewhat less, and how far it may be sunk into the top of flutes.
+struct Sunk {
+  double radius_mm = 0, by_mm = 0;
+};
+
+/// The flutes are convex: what holds the rim of its lower end and all of their axis holds it.
+double sunk_mm(const CutterProfile& flutes, double radius_mm) {
+  constexpr double kLeast_mm = 0.02;
+  for (double by = kOverlap_mm; by >= kLeast_mm; by /= 2)
+    if (closed_standing_distance(flutes, {}, {radius_mm, 0, flutes.top_mm - by}).value <= 0)
+      return by;
+  return 0;
+}
+
+Sunk sunk_into(const CutterProfile& flutes, double radius_mm) {
+  constexpr double kNarrower = 0.95, kNarrowest = 1.0 / 16;
+  Sunk sunk{radius_mm, sunk_mm(flutes, radius_mm)};
+  while (sunk.by_mm == 0 && sunk.radius_mm > kNarrowest * radius_mm)
+    sunk.radius_mm *= kNarrower, sunk.by_mm = sunk_mm(flutes, sunk.radius_mm);
+  return sunk;
+}
+
+/// What stands on flutes, one cylinder on the other, each reaching into what it stands on or, where
+/// it is the wider one, that into it.
+std::vector<StandingPart> necked_parts(const CutterProfile& flutes, double top_mm,
+                                       std::span<const model::CylinderPart> cylinders) {
+  std::vector<StandingPart> parts{{flutes, 0, false}};
+  double base = top_mm;
+  for (std::size_t k = 0; k < cylinders.size(); ++k) {
+    const auto overlap_with = [&](std::size_t other, bool counts) {
+      return counts && other < cylinders.size() &&
+                     cylinders[k].diameter_mm <= cylinders[other].diameter_mm
+                 ? std::min(kOverlap_mm, cylinders[other].length_mm)
+                 : 0.0;
+    };
+    const double down = overlap_with(k - 1, k > 0), up = overlap_with(k + 1, true);
+    const model::CylinderPart& own = cylinders[k];
+    parts.push_back({CutterProfile(model::CylinderPart{own.diameter_mm, own.length_mm + down + up}),
+                     base - down, false});
+    base += own.length_mm;
+  }
+  if (cylinders.empty()) return parts;
+  const model::CylinderPart& lowest = cylinders.front();
+  const Sunk sunk = sunk_into(flutes, std::min(lowest.diameter_mm / 2, flutes.top_radius_mm()));
+  const model::CylinderPart joint{2 * sunk.radius_mm,
+                                  sunk.by_mm + std::min(kOverlap_mm, lowest.length_mm)};
+  parts.insert(parts.begin() + 1, {CutterProfile(joint), top_mm - sunk.by_mm, false});
+  return parts;
+}
+
 }  // namespace
 
 Reachability::Reachability(const SurfaceCells& cells, const CutterProfile& profile,
@@ -80,8 +139,7 @@ Reachability::Reachability(const SurfaceCells& cells, const model::Cutter& cutte
                            double allowance_mm, double contact_mm)
     : Reachability(cells, CutterProfile(cutter), allowance_mm, contact_mm) {
   double base = cutter.flute_length_mm;
-  std::vector<StandingPart> parts = parts_;
-  parts.front().endless = false;
+  std::vector<model::CylinderPart> slim;
   bool is_wider = false;
   for (const auto* list : {&cutter.shank, &cutter.holder})
     for (const model::CylinderPart& part : *list) {
@@ -92,12 +150,13 @@ Reachability::Reachability(const SurfaceCells& cells, const model::Cutter& cutte
       const double height = base + part.length_mm - profile_.top_mm;
       narrower_above_ =
           narrower_above_ || radius < profile_.top_radius_mm() + profile_.endless_slope() * height;
-      if (!is_wider) parts.push_back({CutterProfile(part), base, false});
+      if (!is_wider) slim.push_back(part);
       base += part.length_mm;
     }
+  if (!neck_) return;
+  parts_ = necked_parts(profile_, cutter.flute_length_mm, slim);
   // What goes on above the last part is as wide as it.
-  parts.back().endless = true;
-  if (neck_) parts_ = std::move(parts);
+  parts_.back().endless = true;
 }
 
 Reachability Reachability::from(const SurfaceCells& cells, const model::Pose& to_own) const {
@@ -141,34 +200,35 @@ Vec3 Reachability::core_touching(const Vec3& p, const Vec3& n) const {
   return p + n * (profile_.rounding_mm + allowance_mm_) - Vec3{0, 0, profile_.core_mm};
 }
 
-std::optional<Vec3> Reachability::contact_tip(const Vec3& p, const Vec3& n) const {
-  if (n.z < slope_sine(profile_) - kLevelSlope) return std::nullopt;
+std::optional<Vec3> Reachability::contact_tip(const Vec3& p, const Vec3& n, NormalOf of) const {
+  const double lean = lean_of(of);
+  if (n.z < slope_sine(profile_) - lean) return std::nullopt;
   const double level = std::hypot(n.x, n.y), over = over_bottom(profile_, n);
-  if (profile_.is_pointed() && over < -kLevelSlope) return p + n * allowance_mm_;
-  if (profile_.is_pointed() && over <= kLevelSlope) return std::nullopt;
-  if (level <= kLevelSlope && profile_.flat_mm > 0) return std::nullopt;
+  if (profile_.is_pointed() && over < -lean) return p + n * allowance_mm_;
+  if (profile_.is_pointed() && over <= lean) return std::nullopt;
+  if (level <= lean && profile_.flat_mm > 0) return std::nullopt;
   const double scale = level > 0 ? profile_.flat_mm / level : 0;
   return core_touching(p, n) + Vec3{n.x * scale, n.y * scale, 0};
 }
 
-std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) const {
-  const double limit = allowance_mm_ - contact_mm_;
-  if (n.z >= slope_sine(profile_) - kLevelSlope) {
-    const auto tip = contact_tip(p, n);
+std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n, NormalOf of) const {
+  const double limit = allowance_mm_ - contact_mm_, lean = lean_of(of);
+  if (n.z >= slope_sine(profile_) - lean) {
+    const auto tip = contact_tip(p, n, of);
     const std::vector<Vec3> choices = tip ? std::vector{*tip} : contact_choices(p, n);
     for (const Vec3& choice : choices)
       if (comes_below(parts_, choice, limit) == Below::none) return choice;
   }
   if (neck_)
-    for (const Vec3& choice : necked_choices(p, n))
+    for (const Vec3& choice : necked_choices(p, n, lean))
       if (comes_below(parts_, choice, limit) == Below::none) return choice;
   // Where one line of positions may be free, or one alone, as in a slot as wide as the cutter.
-  const bool level_flat = std::hypot(n.x, n.y) <= kLevelSlope && profile_.flat_mm > 0;
+  const bool level_flat = std::hypot(n.x, n.y) <= lean && profile_.flat_mm > 0;
   if (profile_.is_pointed() || profile_.undercuts() || !level_flat) return std::nullopt;
   Bezier place;
   for (int k = 0; k < 16; ++k) place.set(k, p);
   const ContactBlock block(*cells_, parts_, limit);
-  for (const ContactRegion& region : contact_regions(offset_cell(place, n, 0)))
+  for (const ContactRegion& region : contact_regions(offset_cell(place, n, 0), lean))
     if (const auto tip = block.free_tip(region))
       if (comes_below(parts_, *tip, limit) == Below::none) return tip;
   return std::nullopt;
@@ -191,13 +251,14 @@ std::optional<Vec3> Reachability::tip_over_all(const Bezier& level) const {
 }
 
 /// With the wall of the flutes at several heights, or with their top.
-std::vector<Vec3> Reachability::necked_choices(const Vec3& p, const Vec3& n) const {
+std::vector<Vec3> Reachability::necked_choices(const Vec3& p, const Vec3& n,
+                                               double lean_rad) const {
   constexpr int kHeights = 8;
   std::vector<Vec3> tips;
   if (profile_.slope != 0) return tips;
   const double level = std::hypot(n.x, n.y), radius = profile_.top_radius_mm();
   const Vec3 touched = p + n * allowance_mm_;
-  if (std::abs(n.z) <= kLevelSlope && level > 0) {
+  if (std::abs(n.z) <= lean_rad && level > lean_rad) {
     const Vec3 axis = touched + Vec3{n.x, n.y, 0} * (radius / level);
     for (int k = 1; k <= kHeights; ++k) {
       const double up = profile_.core_mm + (profile_.top_mm - profile_.core_mm) * k / kHeights;
@@ -205,7 +266,7 @@ std::vector<Vec3> Reachability::necked_choices(const Vec3& p, const Vec3& n) con
     }
   } else if (n.z < 0) {
     const Vec3 axis = touched - Vec3{0, 0, profile_.top_mm};
-    if (level > kLevelSlope) return {axis + Vec3{n.x, n.y, 0} * (radius / level)};
+    if (level > lean_rad) return {axis + Vec3{n.x, n.y, 0} * (radius / level)};
     for (int k = -1; k < kDirections; ++k) {
       const double angle = 2 * pi * k / kDirections, out = k < 0 ? 0 : radius;
       tips.push_back(axis + Vec3{out * std::cos(angle), out * std::sin(angle), 0});
@@ -232,6 +293,9 @@ std::vector<Vec3> Reachability::contact_choices(const Vec3& p, const Vec3& n) co
     const double angle = 2 * pi * k / kDirections, reach = k < 0 ? 0 : profile_.flat_mm;
     tips.push_back(core_touching(p, n) + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0});
   }
+  const double level = std::hypot(n.x, n.y), reach = profile_.flat_mm;
+  if (level > kLevelSlope)
+    tips.push_back(core_touching(p, n) + Vec3{n.x, n.y, 0} * (reach / level));
   return tips;
 }
 
@@ -250,23 +314,29 @@ bool Reachability::may_prove_unreachable() const {
          !(neck_ && profile_.slope != 0);
 }
 
-bool Reachability::surely_unreachable(const OffsetCell& cell, ContactMemory* memory) const {
+bool Reachability::surely_unreachable(const OffsetCell& cell, ContactMemory* memory,
+                                      NormalOf of) const {
   if (!may_prove_unreachable() || !(length(cell.normal) > 0)) return false;
-  const double tilt = tilt_of(cell), spread = cell.spread_rad;
-  if (!neck_ && tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
+  const double tilt = tilt_of(cell), spread = cell.spread_rad, lean = lean_of(of);
+  // Above flutes that widen, a shank that is no wider leaves their top edge free to touch what
+  // their side does not: only what leans over is out of its reach.
+  const double steepest = narrower_above_ ? pi / 2 : pi / 2 - std::asin(slope_sine(profile_));
+  if (!neck_ && tilt - spread > steepest + lean) return true;
   if (narrower_above_ && !neck_) return false;
   if (profile_.is_pointed()) {
     const double bottom = std::atan(profile_.rise);
-    if (tilt + spread < bottom - kLevelSlope) return surely_unreachable_by_tip(cell);
-    if (tilt - spread <= bottom + kLevelSlope) return false;
+    if (tilt + spread < bottom - lean) return surely_unreachable_by_tip(cell);
+    if (tilt - spread <= bottom + lean) return false;
   }
   // On a plane the rim of what can be reached has to be closed in on; a bent cell's own bends say
   // sooner that it is too large.
-  if (!neck_ && !is_plane(cell))
-    return surely_unreachable_by_hull(cell, memory) ||
-           (profile_.flat_mm > 0 && surely_unreachable_round(cell));
+  if (!neck_ && !is_plane(cell)) {
+    const bool may_stand_around = profile_.flat_mm > 0 && tilt - spread <= lean;
+    return (!may_stand_around && surely_unreachable_by_hull(cell, memory)) ||
+           (profile_.flat_mm > 0 && surely_unreachable_round(cell, lean));
+  }
   const ContactBlock block(*cells_, parts_, allowance_mm_ - contact_mm_);
-  const auto regions = contact_regions(cell);
+  const auto regions = contact_regions(cell, lean);
   return std::all_of(regions.begin(), regions.end(),
                      [&](const ContactRegion& region) { return block.blocks(region, memory); });
 }
@@ -287,7 +357,7 @@ bool Reachability::surely_unreachable_by_hull(const OffsetCell& cell, ContactMem
 
 /// Of the endless cutter, from positions round the place at so small a step that one with a flat
 /// smaller by it lies inside all those between.
-bool Reachability::surely_unreachable_round(const OffsetCell& cell) const {
+bool Reachability::surely_unreachable_round(const OffsetCell& cell, double lean_rad) const {
   const double tilt = tilt_of(cell), spread = cell.spread_rad;
   const double reach = profile_.rounding_mm + allowance_mm_;
   const Vec3 core = core_touching(cell.middle, cell.normal);
@@ -296,7 +366,7 @@ bool Reachability::surely_unreachable_round(const OffsetCell& cell) const {
       control_radius(cell.shape, cell.middle) + reach * 2 * std::sin(std::min(spread, pi) / 2);
   const double limit = allowance_mm_ - contact_mm_ - stray;
   const double flat = profile_.flat_mm;
-  const bool all_round = tilt <= spread + kLevelSlope;
+  const bool all_round = tilt <= spread + lean_rad;
   const double aside = std::atan2(cell.normal.y, cell.normal.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
@@ -319,11 +389,12 @@ bool Reachability::surely_unreachable_round(const OffsetCell& cell) const {
   return true;
 }
 
-std::vector<ContactRegion> Reachability::contact_regions(const OffsetCell& cell) const {
+std::vector<ContactRegion> Reachability::contact_regions(const OffsetCell& cell,
+                                                         double lean_rad) const {
   const double tilt = tilt_of(cell), spread = cell.spread_rad;
   const CellRectangle around = rectangle_round(cell.shape, cell.normal);
   const double turn = 2 * std::sin(std::min(spread, pi) / 2);
-  const bool all_round = tilt <= spread + kLevelSlope || pi - tilt <= spread + kLevelSlope;
+  const bool all_round = tilt <= spread + lean_rad || pi - tilt <= spread + lean_rad;
   const double aside = std::atan2(cell.normal.y, cell.normal.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
@@ -341,16 +412,16 @@ std::vector<ContactRegion> Reachability::contact_regions(const OffsetCell& cell)
   };
   std::vector<ContactRegion> out;
   const double reach = profile_.rounding_mm + allowance_mm_;
-  if (!neck_ || tilt - spread <= pi / 2 + kLevelSlope)
+  if (!neck_ || tilt - spread <= pi / 2 + lean_rad)
     out.push_back(region(core_touching({}, cell.normal), std::max(0.0, profile_.flat_mm),
-                         tilt <= spread + kLevelSlope, std::abs(reach) * turn));
+                         tilt <= spread + lean_rad, std::abs(reach) * turn));
   if (!neck_) return out;
   const double width = profile_.top_radius_mm(), stray = std::abs(allowance_mm_) * turn;
-  if (tilt + spread >= pi / 2 - kLevelSlope) {
+  if (tilt + spread >= pi / 2 - lean_rad) {
     ContactRegion wall = region(cell.normal * allowance_mm_, width, false, stray);
     wall.z0 = profile_.core_mm, wall.z1 = profile_.top_mm;
-    if (tilt - spread > pi / 2 + kLevelSlope) wall.z0 = profile_.top_mm;  // the top alone
-    if (pi - tilt <= spread + kLevelSlope) wall.r0 = 0;                   // any of its points
+    if (tilt - spread > pi / 2 + lean_rad) wall.z0 = profile_.top_mm;  // the top alone
+    if (pi - tilt <= spread + lean_rad) wall.r0 = 0;                   // any of its points
     out.push_back(wall);
   }
   return out;

@@ -11,6 +11,10 @@
 
 namespace limitgauge::verifier {
 
+/// What a normal is one of: of a face, whose last digits may be those of its coordinates, or of a
+/// sharp edge, between those of its faces, which are as they are.
+enum class NormalOf { face, edge };
+
 /// Which points of S a cutter can touch, at distance `allowance`, without coming closer than that
 /// to S anywhere. Where nothing narrower than the flutes is stated above them the wall counts as
 /// going up without end; a neck is judged as it is stated, so that the flutes may stand under a
@@ -19,8 +23,10 @@ namespace limitgauge::verifier {
 ///   tip = s + (rounding + a)·n + flat·n_xy/|n_xy| − core·z,
 /// and no contact where n points further down than the wall allows (n_z < sin of the taper), but
 /// for flutes over which there is a neck, whose top can touch from below. Where the bottom rises
-/// more steeply than S, its sharp tip touches: tip = s + a·n. What a side that leans inwards
-/// reaches from below is proven neither to be touched nor not to be.
+/// more steeply than S, its sharp tip touches: tip = s + a·n. A face that is level, as steep as the
+/// bottom, or leans as the wall does, to kLean_rad, is touched as if it were so exactly: by the
+/// flat all round, by the wall. What a side that leans inwards reaches from below is proven neither
+/// to be touched nor not to be.
 class Reachability {
  public:
   /// A position counts as free of gouges when it comes no closer than the allowance less
@@ -32,14 +38,16 @@ class Reachability {
                double contact_mm);
 
   /// A gouge-free tip position that touches the surface at `p` with normal `n`, if one was proven.
-  std::optional<model::Vec3> touching_tip(const model::Vec3& p, const model::Vec3& n) const;
+  std::optional<model::Vec3> touching_tip(const model::Vec3& p, const model::Vec3& n,
+                                          NormalOf of = NormalOf::face) const;
   /// A position, if one was proven to be free of gouges, whose flat stands on every point of a
   /// level cell: each is under it, and their heights are one but for rounding.
   std::optional<model::Vec3> tip_over_all(const Bezier& level) const;
   /// Where the tip is that touches the surface at `p` with normal `n`, whatever it cuts into
   /// elsewhere. Empty where the wall leans too far, and where S is level under a flat, which can
   /// touch it from any side, or as steep as a rising bottom, which can touch it all along.
-  std::optional<model::Vec3> contact_tip(const model::Vec3& p, const model::Vec3& n) const;
+  std::optional<model::Vec3> contact_tip(const model::Vec3& p, const model::Vec3& n,
+                                         NormalOf of = NormalOf::face) const;
   /// Proof that the cutter standing with its tip at `tip` is free of gouges. False means "not
   /// proven".
   bool surely_free(const model::Vec3& tip) const {
@@ -47,7 +55,8 @@ class Reachability {
   }
   /// Proof that no point of the cell can be touched, with none of the cell's normals. False means
   /// "not proven". What proofs for neighbours met may be kept in a memory, and begins the next.
-  bool surely_unreachable(const OffsetCell& cell, ContactMemory* memory = nullptr) const;
+  bool surely_unreachable(const OffsetCell& cell, ContactMemory* memory = nullptr,
+                          NormalOf of = NormalOf::face) const;
   /// Whether it may be proven of a cell at all: not of a cutter that can touch with its side from
   /// below.
   bool may_prove_unreachable() const;
@@ -76,12 +85,13 @@ class Reachability {
   model::Vec3 core_touching(const model::Vec3& p, const model::Vec3& n) const;
   /// Positions that touch a place where the contact is no single point of the cutter.
   std::vector<model::Vec3> contact_choices(const model::Vec3& p, const model::Vec3& n) const;
-  std::vector<model::Vec3> necked_choices(const model::Vec3& p, const model::Vec3& n) const;
+  std::vector<model::Vec3> necked_choices(const model::Vec3& p, const model::Vec3& n,
+                                          double lean_rad) const;
   bool surely_unreachable_by_tip(const OffsetCell& cell) const;
   bool surely_unreachable_by_hull(const OffsetCell& cell, ContactMemory* memory) const;
-  bool surely_unreachable_round(const OffsetCell& cell) const;
+  bool surely_unreachable_round(const OffsetCell& cell, double lean_rad) const;
   /// All tips that touch the cell with the cutter's bottom, its wall, or the top of its flutes.
-  std::vector<ContactRegion> contact_regions(const OffsetCell& cell) const;
+  std::vector<ContactRegion> contact_regions(const OffsetCell& cell, double lean_rad) const;
   /// Whether some point of S is nearer than `limit_mm` to a cutter of such parts with its tip at
   /// `tip`.
   Below comes_below(std::span<const StandingPart> parts, const model::Vec3& tip,

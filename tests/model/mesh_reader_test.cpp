@@ -250,6 +250,18 @@ TEST_CASE("polygons become fans where that is what they are", "[unit][mesh]") {
           "p.obj:25: error: face 9: a polygon is not convex and cannot be seen whole from one of "
           "its corners; expected triangles, or plane convex polygons");
   }
+  SECTION("a bow tie") {
+    const std::string expected = "; expected triangles, or plane convex polygons";
+    CHECK_THAT(mesh_error_of(prism({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}), "p.obj"),
+               ContainsSubstring("a polygon crosses itself" + expected));
+  }
+  SECTION("a corner on a side, wherever the polygon begins") {
+    std::vector<Vec3> base{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    for (int turn = 0; turn < 5; ++turn, std::rotate(base.begin(), base.begin() + 1, base.end())) {
+      const MeshReading r = read(prism(base), "p.obj");
+      CHECK(volume_mm3(r.mesh) == Approx(4).epsilon(1e-14));
+    }
+  }
   SECTION("not plane by two micrometres") {
     CHECK_THAT(mesh_error_of(prism({{0, 0, 0}, {2, 0, 0}, {2, 2, 0.006}, {0, 2, 0}}), "p.obj"),
                ContainsSubstring("p.obj:13: error: face 5: the corners of a polygon are more than "

@@ -43,6 +43,7 @@ TEST_CASE("the four cutters of the contract", "[unit][cutter]") {
   CHECK(parse_cutter("flat:D=8").corner_radius_mm == 0);
   CHECK(parse_cutter("bull:D=8,r=1").corner_radius_mm == 1);
   CHECK(parse_cutter("taper:D=1,r=0.5,angle=5").taper_angle_deg == 5);
+  CHECK(parse_cutter("taper:D=1,r=0,angle=5").corner_radius_mm == 0);
 }
 
 TEST_CASE("shank and holder parts are listed from the tip up", "[unit][cutter]") {

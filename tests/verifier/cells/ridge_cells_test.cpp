@@ -73,6 +73,24 @@ TEST_CASE("normals of a sharp edge stay those of its faces down to an irregular 
   CHECK(near > 3);
 }
 
+TEST_CASE("a fan is as wide as it is anywhere along the edge", "[property]") {
+  const ReferenceSurface surface(turning_crease_cage());
+  for (const RidgeCell& cell : ridge_cells(surface.tree(), 0.4)) {
+    if (cell.count != 2) continue;
+    for (double u = 0; u <= 1; u += 0.0625)
+      CHECK(angle_between(at(cell.normals[0], u), at(cell.normals[1], u)) <=
+            cell.fan_rad() + 1e-12);
+  }
+  // A valley on one side of the middle, a ridge on the other, none in between.
+  RidgeCell crossing;
+  for (int k = 0; k < 6; ++k) {
+    crossing.normals[0][k] = {0, 0, 1};
+    crossing.normals[1][k] = {0, 0.02 * k - 0.05, 1};
+  }
+  CHECK(crossing.fan_rad() >= std::atan(0.05));
+  CHECK(crossing.fan_rad() <= 1.01 * std::atan(0.05));
+}
+
 TEST_CASE("normals of a sharp edge lie within the remainder of their fan", "[property]") {
   const bool straight = GENERATE(true, false);
   const ReferenceSurface surface(straight ? sharp_cube(true) : turning_crease_cage());

@@ -149,7 +149,7 @@ TEST_CASE("under the rim of a hole the normals of its walls alone are in reach",
   constexpr double kRadius_mm = 3;
   constexpr int kSides = 8;
   // Of a wall square to an axis runs from its lower edge end on that of the wall opposite exactly.
-  const double first_step = GENERATE(0, 0.5);
+  const double first_step = GENERATE(0.0, 0.5);
   const ReferenceSurface plate(plate_with_hole(kSides, kRadius_mm, 10, 10, first_step));
   const auto block = block_between({-10, -10, -1}, {10, 10, 10});
   const std::vector<Pass> passes = {pass_of(flat_cutter(2.5), nothing())};

@@ -2,6 +2,7 @@
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
+#include "tests/support/part_cages.h"
 #include "tests/support/rasters.h"
 #include "verifier/gate/verify.h"
 #include "verifier/surface/reference_surface.h"
@@ -90,6 +91,67 @@ TEST_CASE("undersides cannot be touched, walls can by a straight cutter only", "
   const Reachability taper(
       cells, CutterProfile({"t", model::CutterType::taper, 1, 0.5, 5, 20, {}, {}}), 0, 1e-4);
   CHECK_FALSE(taper.touching_tip(side.position, side.normal));
+}
+
+TEST_CASE("a flat stands on a floor that is level but for the contact tolerance", "[unit]") {
+  // The floor falls towards a wall: the point of it that is 0.5 mm in front of the wall is touched
+  // by what stands behind it, the rest of the flat being no deeper than 6 mm times the slope.
+  const double slope = GENERATE(0.0, 1e-7, 1e-6, 1e-5, 1e-3);
+  const ReferenceSurface step(drawn_outline({{-4, 14 * slope}, {10, 0}, {10, 5}, {14, 5}}, 10));
+  const SurfaceCells cells(step.tree(), 0.1);
+  const Reachability flat(cells, CutterProfile(flat_cutter(3)), 0, 1e-4);
+  const Vec3 p{9.5, 0, 0.5 * slope}, n = normalized(Vec3{slope, 0, 1});
+  const bool is_level = 6 * slope < 1e-4;
+  CAPTURE(slope);
+  CHECK(flat.touching_tip(p, n).has_value() == is_level);
+  Bezier spot;
+  for (int k = 0; k < 16; ++k) spot.set(k, p);
+  CHECK(flat.surely_unreachable(offset_cell(spot, n, 0)) == !is_level);
+}
+
+TEST_CASE("a wall that leans over by less than the contact tolerance is in reach", "[unit]") {
+  const double lean = GENERATE(0.0, 1e-7, 1e-6, 1e-5, 1e-3);
+  const ReferenceSurface boss(drawn_outline({{-5, 4}, {5, 4}, {5 - 4 * lean, 0}, {12, 0}}, 10));
+  const SurfaceCells cells(boss.tree(), 0.1);
+  const Reachability flat(cells, CutterProfile(flat_cutter(3)), 0, 1e-4);
+  const Vec3 p{5 - 2 * lean, 0, 2}, n = normalized(Vec3{1, 0, -lean});
+  const bool is_upright = 2 * lean < 1e-4;
+  CAPTURE(lean);
+  CHECK(flat.touching_tip(p, n).has_value() == is_upright);
+  Bezier spot;
+  for (int k = 0; k < 16; ++k) spot.set(k, p);
+  CHECK(flat.surely_unreachable(offset_cell(spot, n, 0)) == !is_upright);
+  // Between the normals of a sharp edge none is rounding.
+  CHECK(flat.surely_unreachable(offset_cell(spot, n, 0), nullptr, NormalOf::edge) == (lean > 0));
+}
+
+TEST_CASE("a neck and the flutes below it are one body", "[unit]") {
+  // Below the floor by next to nothing the flutes alone would cut it by no more, and the neck,
+  // which begins there, by as little.
+  const ReferenceSurface step(drawn_outline({{-6, 0}, {0.5, 0}, {0.5, -1.5}, {6, -1.5}}, 8));
+  const SurfaceCells cells(step.tree(), 0.1);
+  const double neck_mm = GENERATE(1.75, 2.4, 0.5);
+  const double flutes_mm = GENERATE(4.0, 0.6);
+  model::Cutter bull{"bull", model::CutterType::bull, 2.5, 0.5, 0, flutes_mm, {}, {}};
+  bull.shank = {{neck_mm, 30}};
+  CAPTURE(neck_mm, flutes_mm);
+  const Reachability reach(cells, bull, 0, 1e-4);
+  CHECK(reach.touching_tip({0.5, 0, -0.9}, {1, 0, 0}));
+  CHECK_FALSE(reach.touching_tip({0.5, 0, -1.2}, {1, 0, 0}));
+  CHECK_FALSE(reach.touching_tip({0.5, 0, -1.49995}, {1, 0, 0}));
+}
+
+TEST_CASE("the top edge of a taper may touch what its side does not", "[unit]") {
+  const ReferenceSurface cube(cube_cage());
+  const SurfaceCells cells(cube.tree(), 0.1);
+  const SurfaceSample side = cube.evaluate(2, 0.5, 0.5);
+  Bezier spot;
+  for (int k = 0; k < 16; ++k) spot.set(k, side.position);
+  const OffsetCell wall = offset_cell(spot, side.normal, 0);
+  model::Cutter taper{"taper", model::CutterType::taper, 0.2, 0, 25, 0.1, {}, {}};
+  CHECK(Reachability(cells, taper, 0, 1e-4).surely_unreachable(wall));
+  taper.shank = {{0.2 + 2 * 0.1 * std::tan(25 * 3.14159265358979 / 180) + 1e-9, 30}};
+  CHECK_FALSE(Reachability(cells, taper, 0, 1e-4).surely_unreachable(wall));
 }
 
 TEST_CASE("normal cones hold the normals of their cell", "[property]") {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
+#include "model/part/cutter.h"
 #include "verifier/cells/surface_cells.h"
 #include "verifier/cutter/cutter_profile.h"
 #include "verifier/cutter/swept_body.h"
@@ -18,6 +21,11 @@ struct StandingPart {
   double lift_mm = 0;
   bool endless = true;
 };
+
+/// What stands on flutes, one cylinder on the other, each reaching into what it stands on or, where
+/// it is the wider one, that into it.
+std::vector<StandingPart> necked_parts(const CutterProfile& flutes, double top_mm,
+                                       std::span<const model::CylinderPart> cylinders);
 
 /// Tip positions core + (r·cos θ, r·sin θ, −z), each as far as `stray_mm` from it, for r, θ and z
 /// in ranges and every core in the hull of four points.

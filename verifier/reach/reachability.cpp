@@ -71,60 +71,6 @@ std::optional<bool> any_below(const StandingPart& part, const Bezier& cell, cons
   return result;
 }
 
-/// Parts of a cutter reach into each other by so much, so that what lies just beyond the end of one
-/// is as deep in them together as in the whole cutter.
-constexpr double kOverlap_mm = 1;
-
-/// A cylinder of that radius or somewhat less, and how far it may be sunk into the top of flutes.
-struct Sunk {
-  double radius_mm = 0, by_mm = 0;
-};
-
-/// The flutes are convex: what holds the rim of its lower end and all of their axis holds it.
-double sunk_mm(const CutterProfile& flutes, double radius_mm) {
-  constexpr double kLeast_mm = 0.02;
-  for (double by = kOverlap_mm; by >= kLeast_mm; by /= 2)
-    if (closed_standing_distance(flutes, {}, {radius_mm, 0, flutes.top_mm - by}).value <= 0)
-      return by;
-  return 0;
-}
-
-Sunk sunk_into(const CutterProfile& flutes, double radius_mm) {
-  constexpr double kNarrower = 0.95, kNarrowest = 1.0 / 16;
-  Sunk sunk{radius_mm, sunk_mm(flutes, radius_mm)};
-  while (sunk.by_mm == 0 && sunk.radius_mm > kNarrowest * radius_mm)
-    sunk.radius_mm *= kNarrower, sunk.by_mm = sunk_mm(flutes, sunk.radius_mm);
-  return sunk;
-}
-
-/// What stands on flutes, one cylinder on the other, each reaching into what it stands on or, where
-/// it is the wider one, that into it.
-std::vector<StandingPart> necked_parts(const CutterProfile& flutes, double top_mm,
-                                       std::span<const model::CylinderPart> cylinders) {
-  std::vector<StandingPart> parts{{flutes, 0, false}};
-  double base = top_mm;
-  for (std::size_t k = 0; k < cylinders.size(); ++k) {
-    const auto overlap_with = [&](std::size_t other, bool counts) {
-      return counts && other < cylinders.size() &&
-                     cylinders[k].diameter_mm <= cylinders[other].diameter_mm
-                 ? std::min(kOverlap_mm, cylinders[other].length_mm)
-                 : 0.0;
-    };
-    const double down = overlap_with(k - 1, k > 0), up = overlap_with(k + 1, true);
-    const model::CylinderPart& own = cylinders[k];
-    parts.push_back({CutterProfile(model::CylinderPart{own.diameter_mm, own.length_mm + down + up}),
-                     base - down, false});
-    base += own.length_mm;
-  }
-  if (cylinders.empty()) return parts;
-  const model::CylinderPart& lowest = cylinders.front();
-  const Sunk sunk = sunk_into(flutes, std::min(lowest.diameter_mm / 2, flutes.top_radius_mm()));
-  const model::CylinderPart joint{2 * sunk.radius_mm,
-                                  sunk.by_mm + std::min(kOverlap_mm, lowest.length_mm)};
-  parts.insert(parts.begin() + 1, {CutterProfile(joint), top_mm - sunk.by_mm, false});
-  return parts;
-}
-
 }  // namespace
 
 Reachability::Reachability(const SurfaceCells& cells, const CutterProfile& profile,

@@ -93,6 +93,8 @@ Reachability::Reachability(const SurfaceCells& cells, const model::Cutter& cutte
       // What is wider than the flutes, and all above it, keeps no place from being in reach.
       is_wider = is_wider || radius > profile_.top_radius_mm();
       neck_ = neck_ || (!is_wider && radius < profile_.top_radius_mm());
+      if (base == cutter.flute_length_mm)
+        edge_is_free_ = radius <= profile_.top_radius_mm() + contact_mm;
       const double height = base + part.length_mm - profile_.top_mm;
       narrower_above_ =
           narrower_above_ || radius < profile_.top_radius_mm() + profile_.endless_slope() * height;
@@ -264,9 +266,10 @@ bool Reachability::surely_unreachable(const OffsetCell& cell, ContactMemory* mem
                                       NormalOf of) const {
   if (!may_prove_unreachable() || !(length(cell.normal) > 0)) return false;
   const double tilt = tilt_of(cell), spread = cell.spread_rad, lean = lean_of(of);
-  // Above flutes that widen, a shank that is no wider leaves their top edge free to touch what
-  // their side does not: only what leans over is out of its reach.
-  const double steepest = narrower_above_ ? pi / 2 : pi / 2 - std::asin(slope_sine(profile_));
+  // On flutes that widen, a shank that is no wider leaves their top edge free to touch what their
+  // side does not: only what leans over is out of its reach. One that is wider would cut it first.
+  const bool by_edge = narrower_above_ && edge_is_free_;
+  const double steepest = by_edge ? pi / 2 : pi / 2 - std::asin(slope_sine(profile_));
   if (!neck_ && tilt - spread > steepest + lean) return true;
   if (narrower_above_ && !neck_) return false;
   if (profile_.is_pointed()) {

@@ -106,6 +106,7 @@ class Reachability {
   std::vector<StandingPart> parts_;
   bool neck_ = false;            ///< a part above the flutes is narrower than their top
   bool narrower_above_ = false;  ///< or than the endless wall
+  bool edge_is_free_ = false;    ///< the flutes' top is as wide as what stands on it
 };
 
 /// A lower bound of the signed distance from the points of `box` to the endless cutter standing at

@@ -152,6 +152,9 @@ TEST_CASE("the top edge of a taper may touch what its side does not", "[unit]") 
   CHECK(Reachability(cells, taper, 0, 1e-4).surely_unreachable(wall));
   taper.shank = {{0.2 + 2 * 0.1 * std::tan(25 * 3.14159265358979 / 180) + 1e-9, 30}};
   CHECK_FALSE(Reachability(cells, taper, 0, 1e-4).surely_unreachable(wall));
+  // A shank that sticks out over them cuts the wall before they do.
+  taper.shank.front().diameter_mm += 0.1;
+  CHECK(Reachability(cells, taper, 0, 1e-4).surely_unreachable(wall));
 }
 
 TEST_CASE("normal cones hold the normals of their cell", "[property]") {

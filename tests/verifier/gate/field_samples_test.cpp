@@ -6,7 +6,7 @@
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
-#include "tests/support/mesh_shapes.h"
+#include "tests/support/solid_meshes.h"
 
 using namespace limitgauge;
 using namespace limitgauge::verifier;
@@ -114,7 +114,7 @@ TEST_CASE("samples of a facet are as many as its area asks for, and near every p
 
 TEST_CASE("grids of facets take three patches each, and their quads face outward",
           "[unit][field]") {
-  const ReferenceSurface block(tests::block_between({0, 0, 0}, {4, 2, 1}));
+  const ReferenceSurface block(tests::box_mesh({0, 0, 0}, {4, 2, 1}));
   const DeviationField field = sample_surface(block, 0.7);
   REQUIRE(field.grids.size() == 12);
   std::size_t samples = 0;

@@ -189,6 +189,13 @@ double edge_length(const RidgeCell& cell) {
   return 2 * control_radius(cell.shape, middle(cell.shape));
 }
 
+/// Halfway between a cell's normals at its middle; zero where these cancel.
+Vec3 axis_of(const RidgeCell& cell) {
+  Vec3 sum;
+  for (int k = 0; k < cell.count; ++k) sum += normalized(at_middle(cell.normals[k]));
+  return length(sum) < kCancels ? Vec3{} : normalized(sum);
+}
+
 /// Which two of a cell's normals are the furthest apart at its middle.
 struct WidestFan {
   int first = 0, second = 1;
@@ -293,10 +300,8 @@ SurfacePlace RidgeCell::place() const {
 }
 
 OffsetCell RidgeCell::offset() const {
-  Vec3 axis;
-  for (int k = 0; k < count; ++k) axis += normalized(at_middle(normals[k]));
-  if (length(axis) < kCancels) return offset_cell(shape, {}, std::numbers::pi);
-  axis = normalized(axis);
+  const Vec3 axis = axis_of(*this);
+  if (axis == Vec3{}) return offset_cell(shape, {}, std::numbers::pi);
   // All normals are positive combinations of the coefficients, so they lie in their cone.
   std::vector<Vec3> all;
   for (int k = 0; k < count; ++k) all.insert(all.end(), normals[k].begin(), normals[k].end());
@@ -329,10 +334,8 @@ std::array<RidgeCell, 2> RidgeCell::halved_fan() const {
 /// differ by no more than two of these do, and are no shorter than the least of them along the
 /// axis.
 double RidgeCell::fan_rad() const {
-  Vec3 axis;
-  for (int i = 0; i < count; ++i) axis += normalized(at_middle(normals[i]));
-  if (length(axis) < kCancels) return std::numbers::pi;
-  axis = normalized(axis);
+  const Vec3 axis = axis_of(*this);
+  if (axis == Vec3{}) return std::numbers::pi;
   double apart = 0, least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 6; ++k)
     for (int i = 0; i < count; ++i) {

@@ -241,9 +241,8 @@ std::vector<Vec3> Reachability::contact_choices(const Vec3& p, const Vec3& n) co
     const double angle = 2 * pi * k / kDirections, reach = k < 0 ? 0 : profile_.flat_mm;
     tips.push_back(core_touching(p, n) + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0});
   }
-  const double level = std::hypot(n.x, n.y), reach = profile_.flat_mm;
-  if (level > kLevelSlope)
-    tips.push_back(core_touching(p, n) + Vec3{n.x, n.y, 0} * (reach / level));
+  // A face that is not quite level has a contact of its own as well.
+  if (const auto own = contact_tip(p, n, NormalOf::edge)) tips.push_back(*own);
   return tips;
 }
 
